@@ -1,0 +1,29 @@
+# What every source of ours is compiled with.
+#
+# -ffp-contract=off: a multiplication and an addition round separately on every target, so that pictures
+# have the same bytes everywhere (docs/determinism.md). -fno-math-errno only spares the errno of sqrt.
+add_library(blysk_flags INTERFACE)
+target_compile_options(blysk_flags INTERFACE
+  -ffp-contract=off -fno-math-errno -fno-trapping-math -fvisibility=hidden
+  -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi -Wdouble-promotion)
+if(BLYSK_SANITIZE)
+  target_compile_options(blysk_flags INTERFACE -fsanitize=${BLYSK_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(blysk_flags INTERFACE -fsanitize=${BLYSK_SANITIZE})
+endif()
+
+# Instruction sets that the kernels are built for: NAME and the flags that select it.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set(BLYSK_ISAS scalar sse4 avx2 avx512)
+  set(BLYSK_ISA_FLAGS_scalar -DHWY_COMPILE_ONLY_SCALAR)
+  set(BLYSK_ISA_FLAGS_sse4 -msse4.2 -mpclmul -maes)
+  set(BLYSK_ISA_FLAGS_avx2 -mavx2 -mfma -mf16c -mbmi -mbmi2 -mpclmul -maes)
+  set(BLYSK_ISA_FLAGS_avx512 -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl
+      -mavx2 -mfma -mf16c -mbmi -mbmi2 -mpclmul -maes -mprefer-vector-width=256)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+  set(BLYSK_ISAS scalar neon)
+  set(BLYSK_ISA_FLAGS_scalar -DHWY_COMPILE_ONLY_SCALAR)
+  set(BLYSK_ISA_FLAGS_neon -march=armv8-a+crypto)
+else()
+  set(BLYSK_ISAS scalar)
+  set(BLYSK_ISA_FLAGS_scalar -DHWY_COMPILE_ONLY_SCALAR)
+endif()

@@ -1,0 +1,12 @@
+# cmake --install, and find_package(blysk) for other projects.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+install(TARGETS blysk EXPORT blysk-targets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY include/blysk DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT blysk-targets NAMESPACE blysk:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/blysk)
+configure_package_config_file(cmake/blysk-config.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/blysk-config.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/blysk)
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/blysk-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/blysk-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/blysk-config-version.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/blysk)

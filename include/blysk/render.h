@@ -1,0 +1,102 @@
+// blysk/render.h - from a Scene to an Image.
+//
+//   blysk::Renderer renderer({.threads = 2});
+//   auto scene = blysk::load_model("teapot.obj");
+//   auto frame = renderer.render(*scene, {.width = 640, .height = 480});
+//   blysk::write_picture(frame->image, "teapot.png", blysk::PictureFormat::png);
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "blysk/image.h"
+#include "blysk/limits.h"
+#include "blysk/result.h"
+#include "blysk/scene.h"
+
+namespace blysk {
+
+/// Instruction sets the kernels are built for. All give the same bytes.
+enum class Isa { best, scalar, sse4, avx2, avx512, neon };
+[[nodiscard]] std::string_view isa_name(Isa isa);
+/// Those built into this library that this processor can run, best last.
+[[nodiscard]] std::vector<Isa> available_isas();
+
+enum class View { iso, front, back, left, right, top, bottom };
+
+/// A camera that frames `bounds` in a picture of the given aspect (width / height), larger by `zoom`.
+[[nodiscard]] Camera frame_camera(const Bounds& bounds, View view, double aspect, double fov_deg, double zoom,
+                                  bool orthographic);
+
+enum class Cull {
+  material,  ///< back faces of materials that are not double-sided
+  none,
+  back       ///< all back faces
+};
+
+enum class Interpolation { perspective, screen };
+
+struct RenderOptions {
+  int width = 1280, height = 720;            ///< 1..16384 each
+  std::optional<Camera> camera;              ///< none: View::iso around the scene's bounds
+  std::vector<Light> lights;                 ///< none: the scene's; none there either: a key light
+  float ambient = 0.25f;                     ///< Ia
+  std::string shading = "phong";             ///< option name from methods()
+  std::string lighting = "blinn";            ///< likewise
+  std::string lobe = "power";                ///< likewise
+  std::string antialias = "none";            ///< likewise
+  Interpolation interpolation = Interpolation::perspective;
+  Cull cull = Cull::material;
+  Transfer transfer = Transfer::srgb;
+  Vec4f background{0, 0, 0, 0};              ///< encoded (not linear) RGBA, 0..1
+  bool want_depth = false, want_normal = false, want_id = false;
+  Limits limits;
+};
+
+struct FrameStatistics {
+  std::uint64_t triangles_in = 0;       ///< of all instances
+  std::uint64_t triangles_culled = 0;   ///< facing away, when culling
+  std::uint64_t triangles_drawn = 0;    ///< that reach at least one pixel centre of the picture, hidden or not
+  std::uint64_t pixels_covered = 0;
+  std::uint64_t memory_bytes = 0;       ///< held by the renderer beyond scene and image
+  double geometry_ms = 0, tiles_ms = 0, frame_ms = 0;
+};
+
+struct Frame {
+  Image image;
+  FloatImage depth;                     ///< 0 near .. 1 far plane; 1 where nothing is
+  FloatImage normal;                    ///< world space, towards the viewer; 0 where nothing is
+  Array<std::uint32_t> id;              ///< 1 + index of the triangle over all instances; 0 where nothing is
+  FrameStatistics statistics;
+};
+
+struct RendererOptions {
+  int threads = 0;                      ///< 0: one per processor
+  Isa isa = Isa::best;
+};
+
+/// Owns threads and working memory; reuse one for many frames. Not for concurrent use.
+class Renderer {
+ public:
+  explicit Renderer(const RendererOptions& options = {});
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  [[nodiscard]] Result<Frame> render(const Scene& scene, const RenderOptions& options);
+  /// The same into a frame that is reused: no allocation once sizes are steady.
+  [[nodiscard]] Status render(const Scene& scene, const RenderOptions& options, Frame& frame);
+
+  [[nodiscard]] Isa isa() const;
+  [[nodiscard]] int threads() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace blysk
