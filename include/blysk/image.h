@@ -57,9 +57,6 @@ struct PictureOptions {
 /// The bytes of a picture file.
 [[nodiscard]] Array<std::uint8_t> encode_png(const Image& image, const PictureOptions& options = {});
 
-/// Reads PNG (8 or 16 bits, any colour type), PPM.
-[[nodiscard]] Result<Image> read_picture(const std::string& path);
-
 /// SHA-256 of bytes, as 64 hexadecimal digits.
 [[nodiscard]] std::string sha256(std::span<const std::uint8_t> bytes);
 /// SHA-256 of "WIDTHxHEIGHT\n" and the RGBA bytes: the hash that `--json` and `verify` give.
