@@ -1,5 +1,7 @@
 #include "math/trig.h"
 
+#include <cmath>
+
 namespace blysk {
 namespace {
 
@@ -57,6 +59,17 @@ double cosine(double radians) {
   const Reduced r = reduce(radians);
   const double v = (r.quadrant & 1) != 0 ? sine_core(r.x) : cosine_core(r.x);
   return r.quadrant == 1 || r.quadrant == 2 ? -v : v;
+}
+
+double arc_tangent(double v) {
+  if (v < 0) return -arc_tangent(-v);
+  if (v > 1) return kPi / 2 - arc_tangent(1 / v);
+  // Two halvings of the angle bring the argument below 0.2, where the series is short.
+  for (int i = 0; i < 2; ++i) v = v / (1 + std::sqrt(1 + v * v));
+  const double q = v * v;
+  double s = 0;
+  for (int k = 25; k >= 1; k -= 2) s = 1.0 / k - q * s;
+  return 4 * v * s;
 }
 
 double tangent(double radians) { return sine(radians) / cosine(radians); }

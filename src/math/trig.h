@@ -10,6 +10,8 @@ inline constexpr double kPi = 3.14159265358979323846;
 double sine(double radians);
 double cosine(double radians);
 double tangent(double radians);
+/// Max error: 1e-15 absolute.
+double arc_tangent(double v);
 inline double radians(double degrees) { return degrees * (kPi / 180.0); }
 
 }  // namespace blysk

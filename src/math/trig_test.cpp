@@ -9,6 +9,7 @@ TEST(trig, agrees_with_libm) {
     const double x = i * 0.001237;
     EXPECT_NEAR(blysk::sine(x), std::sin(x), 1e-15);
     EXPECT_NEAR(blysk::cosine(x), std::cos(x), 1e-15);
+    EXPECT_NEAR(blysk::arc_tangent(x), std::atan(x), 1e-15);
   }
 }
 

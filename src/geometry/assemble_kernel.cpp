@@ -1,0 +1,210 @@
+// Sixteen triangles at a time: what covers no pixel centre goes before it touches memory, the very small ones end here as
+// dots, the small ones go to bins.
+#include "geometry/assemble.h"
+
+#include "geometry/bin_writer.h"
+#include "simd/kernels.h"
+#include "simd/lanes.h"
+
+namespace blysk::BLYSK_ISA {
+namespace {
+
+// A triangle whose box holds at most this many pixel centres a side is tested centre by centre here, sixteen triangles at once.
+constexpr int kDotSide = 3;
+// Under this extent (128 pixels) products of differences fit 32 bits.
+constexpr std::int32_t kSmallExtent = 1 << 15;
+
+// Up to kDotSide^2 dots of sixteen triangles.
+constexpr int kDotRoom = kDotSide * kDotSide * kLanes + kLanes;
+
+struct Triangles {
+  I32 vertex[3];     // frame indices
+  I32 x[3], y[3];
+  I32 area;          // twice the area, 1/65536 pixel
+  I32 left, top, right, bottom;  // pixel centres in the box, inclusive
+  I32 id;
+};
+
+BLYSK_INLINE I32 min3(const I32* v) { return min(min(v[0], v[1]), v[2]); }
+BLYSK_INLINE I32 max3(const I32* v) { return max(max(v[0], v[1]), v[2]); }
+
+BLYSK_INLINE void swap_where(Mask m, I32& a, I32& b) {
+  const I32 old = a;
+  a = select(m, b, a);
+  b = select(m, old, b);
+}
+
+// Edge function a -> b, its value at the first centre and its steps; inside is >= 0 under the top-left rule.
+struct Edge {
+  I32 value, step_x, step_y, bias;
+};
+
+BLYSK_INLINE Edge make_edge(const Triangles& t, int a, int b) {
+  Edge e;
+  const I32 dx = t.x[b] - t.x[a], dy = t.y[b] - t.y[a];
+  e.step_x = I32(0) - shift_left<kSubpixelBits>(dy);
+  e.step_y = shift_left<kSubpixelBits>(dx);
+  // Top edges (level, interior below) and left edges (going up) own their points.
+  const Mask owns = (dy < I32(0)) | ((dy == I32(0)) & (dx > I32(0)));
+  e.bias = select(owns, I32(0), I32(-1));
+  const I32 px = shift_left<kSubpixelBits>(t.left) + I32(kSubpixels / 2);
+  const I32 py = shift_left<kSubpixelBits>(t.top) + I32(kSubpixels / 2);
+  e.value = dx * (py - t.y[a]) - dy * (px - t.x[a]) + e.bias;
+  return e;
+}
+
+struct Dots {
+  std::int32_t id[kDotRoom], nearness[kDotRoom], place[kDotRoom];  // place: tile * 4096 + row * 64 + column
+};
+
+// Tests all centres of the boxes of `which` and writes the dots that are covered.
+BLYSK_INLINE int find_dots(const AssembleJob& job, const Triangles& t, Mask which, Dots& dots, Mask& hit_any) {
+  Edge e0 = make_edge(t, 1, 2), e1 = make_edge(t, 2, 0), e2 = make_edge(t, 0, 1);
+  // Interpolation of nearness from the two exact weights e1 and e2.
+  const auto* words = reinterpret_cast<const float*>(job.vertices) + 2;
+  const F32 z0 = gather(words, shift_left<2>(t.vertex[0]));
+  const F32 inverse = F32(1.0f) / to_float(t.area);
+  const F32 dz1 = (gather(words, shift_left<2>(t.vertex[1])) - z0) * inverse;
+  const F32 dz2 = (gather(words, shift_left<2>(t.vertex[2])) - z0) * inverse;
+
+  int n = 0;
+  for (int j = 0; j < kDotSide; ++j) {
+    const I32 row = t.top + I32(j);
+    const Mask in_row = which & (row <= t.bottom);
+    if (!any(in_row)) break;
+    I32 v0 = e0.value, v1 = e1.value, v2 = e2.value;
+    for (int i = 0; i < kDotSide; ++i) {
+      const I32 column = t.left + I32(i);
+      const Mask hit = in_row & (column <= t.right) & ((v0 | v1 | v2) >= I32(0));
+      if (any(hit)) {
+        const F32 nearness = z0 + (to_float(v1 - e1.bias) * dz1 + to_float(v2 - e2.bias) * dz2);
+        const I32 tile = shift_right<kTileBits>(row) * I32(job.tiles_x) + shift_right<kTileBits>(column);
+        const I32 place = shift_left<2 * kTileBits>(tile) |
+                          shift_left<kTileBits>(row & I32(kTileSize - 1)) | (column & I32(kTileSize - 1));
+        store_compressed(hit, t.id, dots.id + n);
+        store_compressed(hit, bits_of(nearness), dots.nearness + n);
+        n += store_compressed(hit, place, dots.place + n);
+        hit_any = hit_any | hit;
+      }
+      v0 = v0 + e0.step_x;
+      v1 = v1 + e1.step_x;
+      v2 = v2 + e2.step_x;
+    }
+    e0.value = e0.value + e0.step_y;
+    e1.value = e1.value + e1.step_y;
+    e2.value = e2.value + e2.step_y;
+  }
+  return n;
+}
+
+BLYSK_INLINE void bin_dots(const AssembleJob& job, const Dots& dots, int count) {
+  for (int i = 0; i < count; ++i) {
+    const auto place = static_cast<std::uint32_t>(dots.place[i]);
+    Bin& bin = job.bins[bin_index(place >> (2 * kTileBits), Stream::dot)];
+    append(*job.owner, bin, DotEntry{static_cast<std::uint32_t>(dots.id[i]), float_of_bits(dots.nearness[i]),
+                                    place & (kTilePixels - 1)});
+  }
+}
+
+BLYSK_INLINE void bin_small(const AssembleJob& job, const Triangles& t, unsigned which) {
+  std::int32_t id[kLanes], v0[kLanes], v1[kLanes], v2[kLanes], left[kLanes], top[kLanes], right[kLanes], bottom[kLanes];
+  store(t.id, id);
+  store(t.vertex[0], v0);
+  store(t.vertex[1], v1);
+  store(t.vertex[2], v2);
+  store(shift_right<kTileBits>(t.left), left);
+  store(shift_right<kTileBits>(t.top), top);
+  store(shift_right<kTileBits>(t.right), right);
+  store(shift_right<kTileBits>(t.bottom), bottom);
+  for (; which != 0; which &= which - 1) {
+    const int k = __builtin_ctz(which);
+    const SmallEntry entry{static_cast<std::uint32_t>(id[k]),
+                           {static_cast<std::uint32_t>(v0[k]), static_cast<std::uint32_t>(v1[k]),
+                            static_cast<std::uint32_t>(v2[k])}};
+    for (int ty = top[k]; ty <= bottom[k]; ++ty) {
+      for (int tx = left[k]; tx <= right[k]; ++tx) {
+        append(*job.owner, job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx), Stream::small)], entry);
+      }
+    }
+  }
+}
+
+BLYSK_INLINE void assemble_block(AssembleJob& job, const I32 index[3], I32 id, Mask valid) {
+  Triangles t;
+  t.id = id;
+  const auto* words = reinterpret_cast<const std::int32_t*>(job.vertices);
+  for (int k = 0; k < 3; ++k) {
+    t.vertex[k] = index[k] + I32(static_cast<std::int32_t>(job.vertex_base));
+    const I32 at = shift_left<2>(t.vertex[k]);
+    t.x[k] = gather(words, at);
+    t.y[k] = gather(words + 1, at);
+  }
+  const I32 x_min = min3(t.x), x_max = max3(t.x), y_min = min3(t.y), y_max = max3(t.y);
+  const Mask unplaced = x_min == I32(kUnplaced);
+
+  // Pixel centres in the box and in the picture.
+  t.left = max(shift_right<kSubpixelBits>(x_min + I32(kSubpixels / 2 - 1)), I32(0));
+  t.top = max(shift_right<kSubpixelBits>(y_min + I32(kSubpixels / 2 - 1)), I32(0));
+  t.right = min(shift_right<kSubpixelBits>(x_max - I32(kSubpixels / 2)), I32(job.width - 1));
+  t.bottom = min(shift_right<kSubpixelBits>(y_max - I32(kSubpixels / 2)), I32(job.height - 1));
+  const Mask reaches = (t.left <= t.right) & (t.top <= t.bottom);
+  const Mask large = (x_max - x_min >= I32(kSmallExtent)) | (y_max - y_min >= I32(kSmallExtent));
+
+  const Mask rest = valid & (unplaced | (large & reaches));
+  if (any(rest)) {
+    job.rest_count += static_cast<std::size_t>(store_compressed(
+        rest, id - I32(static_cast<std::int32_t>(job.id_base)), reinterpret_cast<std::int32_t*>(job.rest) + job.rest_count));
+  }
+  const Mask placed = and_not(unplaced | large, valid);
+
+  t.area = (t.x[1] - t.x[0]) * (t.y[2] - t.y[0]) - (t.x[2] - t.x[0]) * (t.y[1] - t.y[0]);
+  const Mask negative = t.area < I32(0);
+  Mask live = placed & (t.area != I32(0));
+  if (job.drop != DropArea::none) {
+    const Mask away = live & (job.drop == DropArea::negative ? negative : t.area > I32(0));
+    job.culled += static_cast<std::uint64_t>(__builtin_popcount(to_bits(away)));
+    live = and_not(away, live);
+  }
+  live = live & reaches;
+  if (!any(live)) return;
+
+  t.area = select(negative, I32(0) - t.area, t.area);
+  swap_where(negative, t.x[1], t.x[2]);
+  swap_where(negative, t.y[1], t.y[2]);
+  swap_where(negative, t.vertex[1], t.vertex[2]);
+
+  const Mask tiny = live & (t.right - t.left < I32(kDotSide)) & (t.bottom - t.top < I32(kDotSide));
+  const unsigned tiny_bits = to_bits(tiny);
+  if (tiny_bits != 0) {
+    Dots dots;
+    Mask hit = and_not(tiny, tiny);
+    bin_dots(job, dots, find_dots(job, t, tiny, dots, hit));
+    job.drawn += static_cast<std::uint64_t>(__builtin_popcount(to_bits(hit)));
+  }
+  const unsigned small_bits = to_bits(live) & ~tiny_bits;
+  if (small_bits != 0) {
+    bin_small(job, t, small_bits);
+    job.drawn += static_cast<std::uint64_t>(__builtin_popcount(small_bits));
+  }
+}
+
+}  // namespace
+
+void assemble_triangles(AssembleJob& job) {
+  I32 index[3];
+  const std::uint32_t* in = job.indices + 3 * job.first;
+  const auto id = static_cast<std::int32_t>(job.id_base + job.first);
+  std::size_t i = 0;
+  for (; i + kLanes <= job.count; i += kLanes) {
+    load_interleaved(in + 3 * i, index[0], index[1], index[2]);
+    assemble_block(job, index, iota(id + static_cast<std::int32_t>(i)), lanes_below(kLanes));
+  }
+  if (i < job.count) {
+    std::uint32_t rest[3 * kLanes] = {};
+    std::memcpy(rest, in + 3 * i, (job.count - i) * 3 * sizeof(std::uint32_t));
+    load_interleaved(rest, index[0], index[1], index[2]);
+    assemble_block(job, index, iota(id + static_cast<std::int32_t>(i)), lanes_below(static_cast<int>(job.count - i)));
+  }
+}
+
+}  // namespace blysk::BLYSK_ISA

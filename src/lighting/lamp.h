@@ -1,0 +1,33 @@
+// lighting/lamp.h - lights and surface as a kernel takes them: constants of one draw.
+#pragma once
+
+namespace blysk {
+
+/// How light, normal and view give an intensity (the registry's `lighting`).
+enum class LightingModel { lambert, phong, blinn };
+
+/// How the specular term falls off (the registry's `lobe`).
+enum class Lobe { power };
+
+/// One light, already multiplied by the material.
+struct Lamp {
+  bool point;            ///< vector is a position (world) instead of a unit direction towards the light
+  float vector[3];
+  float diffuse[3];      ///< Il * kd
+  float specular[3];     ///< Il * ks
+};
+
+inline constexpr int kMaxLamps = 16;
+
+struct Surface {
+  LightingModel model;
+  Lobe lobe;
+  float shininess;
+  int whole_shininess;   ///< the same if it is an integer, else 0
+  float ambient[3];      ///< ka * Ia
+  float emission[3];
+  int lamps;
+  Lamp lamp[kMaxLamps];
+};
+
+}  // namespace blysk

@@ -1,0 +1,95 @@
+// lighting/lighting.h - the lighting models, for plain floats and for lanes.
+//
+//   I = ka*Ia + sum over lights of Il * (kd*(N.L) + ks*lobe(N.H or R.V)), everything clamped at zero from below
+//
+// Thesis, formulas (2.1) and section 2.1 of the specification. Only dot products are normalised, never vectors: N.L / |N| costs one
+// reciprocal root and one multiplication instead of three.
+#pragma once
+
+#include "lighting/lamp.h"
+#include "math/approx.h"
+#include "simd/lanes.h"
+
+namespace blysk::BLYSK_ISA {
+
+template <class F>
+struct V3 {
+  F x, y, z;
+};
+
+template <class F, class G>
+BLYSK_INLINE F dot(const V3<F>& a, const V3<G>& b) {
+  return (a.x * F(b.x) + a.y * F(b.y)) + a.z * F(b.z);
+}
+
+template <class F>
+using Rgb = V3<F>;
+
+/// cos^n of a clamped cosine.
+template <class F>
+BLYSK_INLINE F power_lobe(F cosine, const Surface& s) {
+  if (s.whole_shininess > 0) {
+    // Repeated squaring from the highest bit of n: at most two multiplications a bit.
+    F r = cosine;
+    for (int bit = 30 - __builtin_clz(static_cast<unsigned>(s.whole_shininess)); bit >= 0; --bit) {
+      r = r * r;
+      if (((s.whole_shininess >> bit) & 1) != 0) r = r * cosine;
+    }
+    return r;
+  }
+  return select(cosine > F(0.0f), power_poly(max(cosine, F(1e-30f)), s.shininess), F(0.0f));
+}
+
+/// The light that leaves a point: what Gouraud shading interpolates.
+template <class F>
+struct Intensity {
+  Rgb<F> diffuse;   ///< ambient and diffuse light, times ka and kd: what the colours of vertices multiply
+  Rgb<F> specular;  ///< specular light times ks, and emission
+};
+
+/// Lights a point. `n` and `v` (to the viewer) need not be unit; `p` is read for point lights only. The side that faces
+/// the viewer is the one that is lit.
+template <class F>
+BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3<F>& v, const V3<F>& p) {
+  const F tiny(1e-30f);
+  const F rn = reciprocal_root(max(dot(n, n), tiny));
+  const F rv = reciprocal_root(max(dot(v, v), tiny));
+  const F n_v = dot(n, v);
+  const auto side = bits_of(n_v) & decltype(bits_of(n_v))(static_cast<std::int32_t>(0x80000000));
+  const F cos_v = float_of_bits(bits_of(n_v) ^ side) * rn * rv;
+
+  Intensity<F> sum = {{F(s.ambient[0]), F(s.ambient[1]), F(s.ambient[2])},
+                      {F(s.emission[0]), F(s.emission[1]), F(s.emission[2])}};
+  for (int i = 0; i < s.lamps; ++i) {
+    const Lamp& lamp = s.lamp[i];
+    V3<F> l = {F(lamp.vector[0]), F(lamp.vector[1]), F(lamp.vector[2])};
+    if (lamp.point) {
+      l = {l.x - p.x, l.y - p.y, l.z - p.z};
+      const F rl = reciprocal_root(max(dot(l, l), tiny));
+      l = {l.x * rl, l.y * rl, l.z * rl};
+    }
+    const F n_l = dot(n, l);
+    const F cos_l = float_of_bits(bits_of(n_l) ^ side) * rn;
+    const F d = max(cos_l, F(0.0f));
+    sum.diffuse = {sum.diffuse.x + F(lamp.diffuse[0]) * d, sum.diffuse.y + F(lamp.diffuse[1]) * d,
+                   sum.diffuse.z + F(lamp.diffuse[2]) * d};
+    if (s.model == LightingModel::lambert) continue;
+
+    const F l_v = dot(v, l) * rv;
+    F cosine;
+    if (s.model == LightingModel::blinn) {
+      // N.H / |L + V| for unit L and V: |L + V|^2 = 2 + 2 L.V
+      cosine = (cos_l + cos_v) * reciprocal_root(max(F(2.0f) + F(2.0f) * l_v, F(1e-12f)));
+    } else {
+      cosine = F(2.0f) * cos_l * cos_v - l_v;  // R.V
+    }
+    // Roots are good to 7.5e-7: a cosine above 1 would show in a high power.
+    cosine = min(max(cosine, F(0.0f)), F(1.0f));
+    const F lobe = select(cos_l > F(0.0f), power_lobe(cosine, s), F(0.0f));
+    sum.specular = {sum.specular.x + F(lamp.specular[0]) * lobe, sum.specular.y + F(lamp.specular[1]) * lobe,
+                    sum.specular.z + F(lamp.specular[2]) * lobe};
+  }
+  return sum;
+}
+
+}  // namespace blysk::BLYSK_ISA

@@ -1,0 +1,145 @@
+#include "render/frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "blysk/methods.h"
+
+namespace blysk {
+namespace {
+
+constexpr int kLargestSide = 16384;
+constexpr std::size_t kMostTriangles = std::size_t{1} << 31;  // ids are signed in the kernels
+constexpr std::size_t kMostVertices = std::size_t{1} << 29;   // 4 * index is a signed 32-bit offset
+
+Error failure(ErrorCode code, std::string message) { return {code, std::move(message), {}, 0}; }
+
+Status check(const RenderOptions& o) {
+  if (o.width < 1 || o.height < 1 || o.width > kLargestSide || o.height > kLargestSide) {
+    return failure(ErrorCode::usage, "the picture's sides must be 1 to 16384 pixels");
+  }
+  const std::pair<MethodKind, const std::string*> chosen[] = {{MethodKind::shading, &o.shading},
+                                                              {MethodKind::lighting, &o.lighting},
+                                                              {MethodKind::lobe, &o.lobe},
+                                                              {MethodKind::antialias, &o.antialias}};
+  for (const auto& [kind, name] : chosen) {
+    if (find_method(kind, *name) == nullptr) {
+      return failure(ErrorCode::usage, "there is no " + std::string(kind_name(kind)) + " method called " + *name);
+    }
+  }
+  return Done{};
+}
+
+// The key light: from above the camera's left shoulder.
+Light key_light(const ViewFrame& v) {
+  Light light;
+  light.vector = normalize(v.up * 0.6 - v.right * 0.4 - v.forward);
+  light.color = {0.85f, 0.85f, 0.85f};
+  return light;
+}
+
+void set(float* to, Vec3f v) {
+  to[0] = v.x;
+  to[1] = v.y;
+  to[2] = v.z;
+}
+
+Surface make_surface(const Material& m, const std::vector<Light>& lights, const RenderOptions& o) {
+  Surface s{};
+  s.model = o.lighting == "blinn" ? LightingModel::blinn : o.lighting == "phong" ? LightingModel::phong : LightingModel::lambert;
+  s.lobe = Lobe::power;
+  s.shininess = std::clamp(m.shininess, 1.0f, 1000.0f);
+  s.whole_shininess = s.shininess == std::floor(s.shininess) ? static_cast<int>(s.shininess) : 0;
+  set(s.ambient, m.unlit ? m.color : m.color * o.ambient);
+  set(s.emission, m.emission);
+  for (const Light& light : m.unlit ? std::vector<Light>{} : lights) {
+    Lamp& lamp = s.lamp[s.lamps++];
+    lamp.point = light.kind == Light::Kind::point;
+    set(lamp.vector, to_float(lamp.point ? light.vector : normalize(light.vector)));
+    set(lamp.diffuse, {light.color.x * m.color.x, light.color.y * m.color.y, light.color.z * m.color.z});
+    set(lamp.specular, {light.color.x * m.specular.x, light.color.y * m.specular.y, light.color.z * m.specular.z});
+  }
+  return s;
+}
+
+DropArea drop_area(const Material& m, const Mat4& transform, Cull cull) {
+  if (cull == Cull::none || (cull == Cull::material && m.double_sided)) return DropArea::none;
+  // Seen from the front a triangle turns counter-clockwise, which is a negative area with row 0 at the top.
+  return determinant3(transform) < 0 ? DropArea::negative : DropArea::positive;
+}
+
+DrawPlan plan_draw(const Scene& scene, const Instance& instance, const ViewFrame& view) {
+  const Mesh& mesh = scene.meshes[instance.mesh];
+  DrawPlan p;
+  Draw& d = p.draw;
+  d = Draw{};
+  d.positions = mesh.positions.data();
+  d.normals = mesh.normals.empty() ? nullptr : mesh.normals.data();
+  d.colors = mesh.colors.empty() ? nullptr : mesh.colors.data();
+  d.indices = mesh.indices.data();
+  d.moved = !(instance.transform == Mat4{});
+  const Mat4 normals = normal_matrix(instance.transform);
+  const Mat4 projection = view.screen * instance.transform;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      if (i < 3 && j < 3) d.normal_matrix[3 * i + j] = static_cast<float>(normals.m[i][j]);
+      if (i < 3) d.matrix[4 * i + j] = static_cast<float>(instance.transform.m[i][j]);
+      d.projection.row[i][j] = static_cast<float>(projection.m[i][j]);
+    }
+  }
+  p.vertices = mesh.positions.size();
+  p.triangles = mesh.triangles();
+  return p;
+}
+
+std::uint32_t pack_background(Vec4f c) {
+  const auto code = [](float v) { return static_cast<std::uint32_t>(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f); };
+  return code(c.x) | code(c.y) << 8 | code(c.z) << 16 | code(c.w) << 24;
+}
+
+}  // namespace
+
+Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& plan) {
+  if (const Status s = check(options); !s) return s.error();
+  Camera camera;
+  if (options.camera) {
+    camera = *options.camera;
+  } else {
+    camera = frame_camera(scene.bounds(), View::iso, double(options.width) / options.height, 30, 1, false);
+  }
+  Result<ViewFrame> view = make_view(camera, scene, options.width, options.height);
+  if (!view) return view.error();
+  plan.view = *view;
+
+  std::vector<Light> lights = !options.lights.empty() ? options.lights : scene.lights;
+  if (lights.empty()) lights.push_back(key_light(plan.view));
+  if (lights.size() > kMaxLamps) return failure(ErrorCode::limit, "a picture may have at most 16 lights");
+
+  plan.draws.clear();
+  plan.vertices = plan.triangles = 0;
+  plan.background = pack_background(options.background);
+  for (const Instance& instance : scene.instances) {
+    if (instance.mesh >= scene.meshes.size() || instance.material >= scene.materials.size()) {
+      return failure(ErrorCode::usage, "an instance refers to a mesh or material that the scene does not have");
+    }
+    if (scene.meshes[instance.mesh].indices.size() < 3) continue;
+    DrawPlan p = plan_draw(scene, instance, plan.view);
+    const Material& material = scene.materials[instance.material];
+    p.draw.surface = make_surface(material, lights, options);
+    p.drop = drop_area(material, instance.transform, options.cull);
+    p.draw.vertex_base = static_cast<std::uint32_t>(plan.vertices);
+    p.draw.id_base = static_cast<std::uint32_t>(plan.triangles);
+    p.draw.id_count = static_cast<std::uint32_t>(p.triangles);
+    plan.vertices += p.vertices;
+    plan.triangles += p.triangles;
+    if (plan.triangles >= std::min<std::uint64_t>(kMostTriangles, options.limits.max_triangles + 1) ||
+        plan.vertices >= kMostVertices) {
+      return failure(ErrorCode::limit, "the scene has more triangles or vertices than the limits allow (" +
+                                           std::to_string(options.limits.max_triangles) + " triangles)");
+    }
+    plan.draws.push_back(p);
+  }
+  return Done{};
+}
+
+}  // namespace blysk

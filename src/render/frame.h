@@ -1,0 +1,30 @@
+// render/frame.h - a scene and options as the kernels' constants.
+#pragma once
+
+#include <vector>
+
+#include "blysk/render.h"
+#include "geometry/assemble.h"
+#include "render/view.h"
+#include "shading/shade.h"
+
+namespace blysk {
+
+/// One instance: what its draw says, and what geometry needs besides.
+struct DrawPlan {
+  Draw draw;
+  std::size_t vertices = 0, triangles = 0;
+  DropArea drop = DropArea::none;
+};
+
+struct FramePlan {
+  ViewFrame view;
+  std::vector<DrawPlan> draws;   ///< instances with triangles, in the scene's order
+  std::size_t vertices = 0, triangles = 0;
+  std::uint32_t background = 0;  ///< RGBA8
+};
+
+/// Checks the options and fills `plan` (its memory is reused).
+[[nodiscard]] Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& plan);
+
+}  // namespace blysk

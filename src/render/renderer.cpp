@@ -1,0 +1,249 @@
+// The frame: vertices, triangles, tiles, each a parallel loop.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstring>
+
+#include "blysk/render.h"
+#include "core/threads.h"
+#include "render/frame.h"
+#include "render/kernels.h"
+
+namespace blysk {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double ms_between(Clock::time_point a, Clock::time_point b) {
+  return std::chrono::duration<double, std::milli>(b - a).count();
+}
+
+// Work is cut where it no longer matters for balance, but still fits a second-level cache.
+constexpr std::size_t kChunkVertices = 16384, kChunkTriangles = 8192;
+
+struct Chunk {
+  std::uint32_t draw;
+  std::size_t first, count;
+};
+
+// What one thread owns.
+struct Worker {
+  ThreadBins bins;
+  std::unique_ptr<TileBuffers> tile = std::make_unique<TileBuffers>();
+  std::vector<std::uint32_t> rest;
+  std::vector<float> normals;
+  std::vector<std::uint8_t> seen_draws;
+  std::uint64_t culled = 0, drawn = 0, covered = 0;
+};
+
+}  // namespace
+
+struct Renderer::State {
+  explicit State(const RendererOptions& options)
+      : table(kernels(options.isa)), pool(options.threads), workers(static_cast<std::size_t>(pool.size())) {}
+
+  const Kernels& table;
+  ThreadPool pool;
+  std::vector<Worker> workers;
+  std::vector<const Bin*> bin_lists;
+  FramePlan plan;
+  std::vector<Chunk> chunks;
+  Array<ScreenVertex> vertices;
+
+  Status render(const Scene& scene, const RenderOptions& options, Frame& frame);
+
+ private:
+  void cut(std::size_t DrawPlan::*count, std::size_t size);
+  void transform();
+  void assemble(const RenderOptions& options, int tiles_x, std::size_t tiles);
+  void draw_tiles(const RenderOptions& options, int tiles_x, std::size_t tiles, Frame& frame);
+  void draw_tile(Worker& worker, const RenderOptions& options, int tiles_x, std::size_t tile, ShadeFunction shade, Frame& frame);
+  void shade_draws(Worker& worker, ShadeJob& job, ShadeFunction function);
+  [[nodiscard]] std::uint64_t memory() const;
+};
+
+void Renderer::State::cut(std::size_t DrawPlan::*count, std::size_t size) {
+  chunks.clear();
+  for (std::uint32_t d = 0; d < plan.draws.size(); ++d) {
+    const std::size_t total = plan.draws[d].*count;
+    for (std::size_t first = 0; first < total; first += size) chunks.push_back({d, first, std::min(size, total - first)});
+  }
+}
+
+void Renderer::State::transform() {
+  cut(&DrawPlan::vertices, kChunkVertices);
+  pool.for_each(chunks.size(), [&](int, std::size_t i) {
+    const Chunk& c = chunks[i];
+    const Draw& d = plan.draws[c.draw].draw;
+    table.transform({d.positions + c.first, c.count, d.projection, vertices.data() + d.vertex_base + c.first});
+  });
+}
+
+void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::size_t tiles) {
+  for (Worker& w : workers) {
+    w.bins.reset(tiles);
+    w.rest.resize(kChunkTriangles + 16);
+    w.culled = w.drawn = w.covered = 0;
+  }
+  cut(&DrawPlan::triangles, kChunkTriangles);
+  pool.for_each(chunks.size(), [&](int worker, std::size_t i) {
+    const Chunk& c = chunks[i];
+    const DrawPlan& p = plan.draws[c.draw];
+    Worker& w = workers[static_cast<std::size_t>(worker)];
+    AssembleJob job{};
+    job.vertices = vertices.data();
+    job.indices = p.draw.indices;
+    job.first = c.first;
+    job.count = c.count;
+    job.vertex_base = p.draw.vertex_base;
+    job.id_base = p.draw.id_base;
+    job.width = options.width;
+    job.height = options.height;
+    job.tiles_x = tiles_x;
+    job.drop = p.drop;
+    job.owner = &w.bins;
+    job.bins = w.bins.bins();
+    job.rest = w.rest.data();
+    table.assemble(job);
+    assemble_rest(job, p.draw.positions, p.draw.projection);
+    w.culled += job.culled;
+    w.drawn += job.drawn;
+  });
+}
+
+// Runs `function` for every draw that has a pixel in the tile.
+void Renderer::State::shade_draws(Worker& worker, ShadeJob& job, ShadeFunction function) {
+  if (plan.draws.size() == 1) {
+    job.draw = &plan.draws[0].draw;
+    function(job);
+    return;
+  }
+  worker.seen_draws.assign(plan.draws.size(), 0);
+  std::uint32_t last = kNoTriangle;
+  for (int row = 0; row < job.height; ++row) {
+    for (int column = 0; column < job.width; ++column) {
+      const std::uint32_t id = job.buffers->id[row * kTileSize + column];
+      if (id == last || id == kNoTriangle) continue;
+      last = id;
+      const auto after = std::upper_bound(plan.draws.begin(), plan.draws.end(), id,
+                                          [](std::uint32_t v, const DrawPlan& p) { return v < p.draw.id_base; });
+      worker.seen_draws[static_cast<std::size_t>(after - plan.draws.begin()) - 1] = 1;
+    }
+  }
+  for (std::size_t d = 0; d < plan.draws.size(); ++d) {
+    if (worker.seen_draws[d] == 0) continue;
+    job.draw = &plan.draws[d].draw;
+    function(job);
+  }
+}
+
+void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, int tiles_x, std::size_t tile,
+                                ShadeFunction shade, Frame& frame) {
+  TileBuffers& buffers = *worker.tile;
+  const int x = static_cast<int>(tile % static_cast<std::size_t>(tiles_x)) * kTileSize;
+  const int y = static_cast<int>(tile / static_cast<std::size_t>(tiles_x)) * kTileSize;
+  const int width = std::min(kTileSize, options.width - x), height = std::min(kTileSize, options.height - y);
+  const TileJob job = {x,      y,    width, height, tile, vertices.data(), bin_lists.data(), static_cast<int>(bin_lists.size()),
+                       plan.background, &buffers};
+  const int covered = table.rasterize(job);
+  worker.covered += static_cast<std::uint64_t>(covered);
+
+  ShadeJob shading{x, y, width, height, &buffers, nullptr, vertices.data(), nullptr, &plan.view.rays,
+                   options.interpolation == Interpolation::screen, options.transfer};
+  if (covered > 0) shade_draws(worker, shading, shade);
+  if (options.want_normal) {
+    worker.normals.assign(3 * kTilePixels, 0.0f);
+    shading.normals = worker.normals.data();
+    if (covered > 0) shade_draws(worker, shading, table.write_normals);
+  }
+  for (int row = 0; row < height; ++row) {
+    const std::size_t from = static_cast<std::size_t>(row) * kTileSize;
+    const std::size_t to = static_cast<std::size_t>(y + row) * static_cast<std::size_t>(options.width) + static_cast<std::size_t>(x);
+    const auto count = static_cast<std::size_t>(width);
+    std::memcpy(&frame.image.pixels[to], &buffers.color[from], count * sizeof(std::uint32_t));
+    if (options.want_normal) std::memcpy(&frame.normal.values[3 * to], &worker.normals[3 * from], 3 * count * sizeof(float));
+    for (std::size_t i = 0; i < count && options.want_depth; ++i) frame.depth.values[to + i] = 1.0f - buffers.nearness[from + i];
+    for (std::size_t i = 0; i < count && options.want_id; ++i) frame.id[to + i] = buffers.id[from + i] + 1;
+  }
+}
+
+void Renderer::State::draw_tiles(const RenderOptions& options, int tiles_x, std::size_t tiles, Frame& frame) {
+  bin_lists.clear();
+  for (Worker& w : workers) bin_lists.push_back(w.bins.bins());
+  ShadeFunction shade = nullptr;
+  for (int i = 0; i < table.shadings_count; ++i) {
+    if (table.shadings[i].name == options.shading) shade = table.shadings[i].shade;
+  }
+  pool.for_each(tiles, [&](int worker, std::size_t tile) {
+    draw_tile(workers[static_cast<std::size_t>(worker)], options, tiles_x, tile, shade, frame);
+  });
+}
+
+std::uint64_t Renderer::State::memory() const {
+  std::uint64_t n = vertices.capacity() * sizeof(ScreenVertex) + chunks.capacity() * sizeof(Chunk) +
+                    plan.draws.capacity() * sizeof(DrawPlan);
+  for (const Worker& w : workers) {
+    n += w.bins.memory() + sizeof(TileBuffers) + w.rest.capacity() * sizeof(std::uint32_t) + w.normals.capacity() * sizeof(float);
+  }
+  return n;
+}
+
+Status Renderer::State::render(const Scene& scene, const RenderOptions& options, Frame& frame) {
+  const Clock::time_point start = Clock::now();
+  if (const Status s = plan_frame(scene, options, plan); !s) return s.error();
+  const std::uint64_t need = plan.vertices * sizeof(ScreenVertex) + std::uint64_t{4} * static_cast<std::uint64_t>(options.width) *
+                                                                        static_cast<std::uint64_t>(options.height);
+  if (need > options.limits.max_memory) {
+    return Error{ErrorCode::limit, "the frame needs " + std::to_string(need >> 20) + " MB, more than max_memory allows", {}, 0};
+  }
+  frame.image.resize(options.width, options.height);
+  const std::size_t pixels = frame.image.pixels.size();
+  frame.depth = options.want_depth ? FloatImage{options.width, options.height, 1, std::move(frame.depth.values)} : FloatImage{};
+  frame.normal = options.want_normal ? FloatImage{options.width, options.height, 3, std::move(frame.normal.values)} : FloatImage{};
+  frame.depth.values.resize(options.want_depth ? pixels : 0);
+  frame.normal.values.resize(options.want_normal ? 3 * pixels : 0);
+  frame.id.resize(options.want_id ? pixels : 0);
+  vertices.resize(plan.vertices);
+
+  const int tiles_x = (options.width + kTileSize - 1) / kTileSize;
+  const std::size_t tiles = static_cast<std::size_t>(tiles_x) * static_cast<std::size_t>((options.height + kTileSize - 1) / kTileSize);
+  transform();
+  assemble(options, tiles_x, tiles);
+  const Clock::time_point assembled = Clock::now();
+  draw_tiles(options, tiles_x, tiles, frame);
+  const Clock::time_point end = Clock::now();
+
+  FrameStatistics& s = frame.statistics;
+  s = {};
+  s.triangles_in = plan.triangles;
+  for (const Worker& w : workers) {
+    s.triangles_culled += w.culled;
+    s.triangles_drawn += w.drawn;
+    s.pixels_covered += w.covered;
+  }
+  s.memory_bytes = memory();
+  s.geometry_ms = ms_between(start, assembled);
+  s.tiles_ms = ms_between(assembled, end);
+  s.frame_ms = ms_between(start, end);
+  return Done{};
+}
+
+Renderer::Renderer(const RendererOptions& options) : state_(std::make_unique<State>(options)) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+Status Renderer::render(const Scene& scene, const RenderOptions& options, Frame& frame) {
+  return state_->render(scene, options, frame);
+}
+
+Result<Frame> Renderer::render(const Scene& scene, const RenderOptions& options) {
+  Frame frame;
+  if (const Status s = render(scene, options, frame); !s) return s.error();
+  return frame;
+}
+
+Isa Renderer::isa() const { return state_->table.isa; }
+int Renderer::threads() const { return state_->pool.size(); }
+
+}  // namespace blysk

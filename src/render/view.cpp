@@ -1,0 +1,155 @@
+#include "render/view.h"
+
+#include <algorithm>
+
+#include "math/trig.h"
+
+namespace blysk {
+namespace {
+
+constexpr double kLeastNear = 1e-4;  // of the far distance: keeps 1 / w in range
+
+Error usage(std::string message) { return {ErrorCode::usage, std::move(message), "camera", 0}; }
+
+bool finite(Vec3d v) { return length(v) < 1e150; }
+
+// The planes that just enclose the scene, with a little room for rounding.
+void enclose(const Scene& scene, const Camera& camera, ViewFrame& view) {
+  double nearest = 1e300, farthest = -1e300;
+  const Bounds b = scene.bounds();
+  for (int corner = 0; corner < 8 && !b.empty(); ++corner) {
+    const Vec3d p = {(corner & 1) != 0 ? b.hi.x : b.lo.x, (corner & 2) != 0 ? b.hi.y : b.lo.y,
+                     (corner & 4) != 0 ? b.hi.z : b.lo.z};
+    const double d = dot(p - camera.eye, view.forward);
+    nearest = std::min(nearest, d);
+    farthest = std::max(farthest, d);
+  }
+  const double room = 0.01 * (farthest - nearest) + 1e-6 * length(camera.target - camera.eye);
+  view.near_distance = camera.near_distance > 0 ? camera.near_distance : nearest - room;
+  view.far_distance = camera.far_distance > 0 ? camera.far_distance : farthest + room;
+  if (!(view.far_distance > view.near_distance)) view.far_distance = view.near_distance + 1;
+}
+
+void set(float* to, Vec3d v) {
+  to[0] = static_cast<float>(v.x);
+  to[1] = static_cast<float>(v.y);
+  to[2] = static_cast<float>(v.z);
+}
+
+// Row `i` becomes scale * (axis . p) + offset, for world p.
+void set_row(Mat4& m, int i, Vec3d axis, double offset) {
+  m.m[i][0] = axis.x;
+  m.m[i][1] = axis.y;
+  m.m[i][2] = axis.z;
+  m.m[i][3] = offset;
+}
+
+}  // namespace
+
+Result<ViewFrame> make_view(const Camera& camera, const Scene& scene, int width, int height) {
+  const Vec3d axis = camera.target - camera.eye;
+  if (!finite(camera.eye) || !finite(axis) || !(length(axis) > 0)) {
+    return usage("eye and target must be two different, finite points");
+  }
+  const bool orthographic = camera.height > 0;
+  if (!orthographic && !(camera.fov_deg >= 1 && camera.fov_deg <= 170)) {
+    return usage("the field of view must be 1 to 170 degrees");
+  }
+  ViewFrame v{};
+  v.forward = normalize(axis);
+  Vec3d side = cross(v.forward, camera.up);
+  if (!(length(side) > 1e-9 * length(camera.up))) side = cross(v.forward, {0, 0, v.forward.y > 0 ? 1.0 : -1.0});
+  if (!(length(side) > 1e-9)) side = cross(v.forward, {1, 0, 0});
+  v.right = normalize(side);
+  v.up = cross(v.right, v.forward);
+  v.near_distance = camera.near_distance;
+  v.far_distance = camera.far_distance;
+  if (!(camera.near_distance > 0) || !(camera.far_distance > 0)) enclose(scene, camera, v);
+  if (!orthographic) {
+    if (v.far_distance <= 0) v.far_distance = 1;  // everything is behind: nothing will be seen
+    v.near_distance = std::max(v.near_distance, v.far_distance * kLeastNear);
+  }
+  if (!(v.far_distance > v.near_distance)) return usage("the far plane must lie behind the near plane");
+
+  const double n = v.near_distance, f = v.far_distance, aspect = double(width) / height;
+  const double wide = width * double{kSubpixels}, high = height * double{kSubpixels};
+  const double eye_right = dot(v.right, camera.eye), eye_up = dot(v.up, camera.eye), eye_forward = dot(v.forward, camera.eye);
+  ViewRays& rays = v.rays;
+  rays.orthographic = orthographic;
+  if (orthographic) {
+    const double sx = wide / (camera.height * aspect), sy = high / camera.height;
+    set_row(v.screen, 0, v.right * sx, wide * 0.5 - eye_right * sx);
+    set_row(v.screen, 1, v.up * -sy, high * 0.5 + eye_up * sy);
+    set_row(v.screen, 2, v.forward * (-1 / (f - n)), (f + eye_forward) / (f - n));
+    set_row(v.screen, 3, {}, 1);
+    set(rays.direction, v.forward);
+    set(rays.origin, camera.eye + v.right * (-0.5 * wide / sx) + v.up * (0.5 * high / sy));
+    set(rays.origin_x, v.right * (1 / sx));
+    set(rays.origin_y, v.up * (-1 / sy));
+    rays.depth_a = static_cast<float>(f);
+    rays.depth_b = static_cast<float>(n - f);
+  } else {
+    // View depth d is divided by f, so that w stays near 1.
+    const double half = tangent(radians(camera.fov_deg) * 0.5);
+    const double sx = wide * 0.5 / (half * aspect * f), sy = high * 0.5 / (half * f);
+    const double cx = wide * 0.5 / f, cy = high * 0.5 / f, nz = n / (f - n) / f;
+    set_row(v.screen, 0, v.right * sx + v.forward * cx, -eye_right * sx - eye_forward * cx);
+    set_row(v.screen, 1, v.up * -sy + v.forward * cy, eye_up * sy - eye_forward * cy);
+    set_row(v.screen, 2, v.forward * -nz, (f + eye_forward) * nz);
+    set_row(v.screen, 3, v.forward * (1 / f), -eye_forward / f);
+    set(rays.direction, v.forward - v.right * (half * aspect) + v.up * half);
+    set(rays.direction_x, v.right * (2 * half * aspect / wide));
+    set(rays.direction_y, v.up * (-2 * half / high));
+    set(rays.origin, camera.eye);
+    rays.depth_a = static_cast<float>(f);
+    rays.depth_b = static_cast<float>((f - n) / n);
+  }
+  return v;
+}
+
+Camera frame_camera(const Bounds& bounds, View view, double aspect, double fov_deg, double zoom, bool orthographic) {
+  Vec3d from;
+  switch (view) {
+    case View::front: from = {0, 0, 1}; break;
+    case View::back: from = {0, 0, -1}; break;
+    case View::left: from = {-1, 0, 0}; break;
+    case View::right: from = {1, 0, 0}; break;
+    case View::top: from = {0, 1, 0}; break;
+    case View::bottom: from = {0, -1, 0}; break;
+    case View::iso: from = normalize(Vec3d{1, 0.8, 1.4}); break;
+  }
+  Camera c;
+  c.fov_deg = fov_deg;
+  c.up = view == View::top ? Vec3d{0, 0, -1} : view == View::bottom ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0};
+  const Vec3d center = bounds.empty() ? Vec3d{} : bounds.center();
+  const double radius = bounds.empty() || !(bounds.radius() > 0) ? 1 : bounds.radius();
+  c.target = center;
+
+  // The box, seen from far enough that all of it lies inside the picture.
+  const Vec3d forward = -from;
+  const Vec3d right = normalize(cross(forward, c.up));
+  const Vec3d up = cross(right, forward);
+  const double half = tangent(radians(fov_deg) * 0.5), wide = half * aspect;
+  constexpr double kMargin = 1.08;
+  double distance = 0, tall = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3d p = bounds.empty() ? Vec3d{} : Vec3d{(corner & 1) != 0 ? bounds.hi.x : bounds.lo.x,
+                                                     (corner & 2) != 0 ? bounds.hi.y : bounds.lo.y,
+                                                     (corner & 4) != 0 ? bounds.hi.z : bounds.lo.z} - center;
+    const double x = std::abs(dot(p, right)), y = std::abs(dot(p, up)), z = dot(p, from);
+    distance = std::max(distance, z + std::max(x / wide, y / half) * kMargin);
+    tall = std::max(tall, 2 * kMargin * std::max(y, x / aspect));
+  }
+  if (!(distance > 0)) distance = radius / half;
+  if (!(tall > 0)) tall = 2 * radius;
+  // Zoom narrows the view: the eye stays outside of the scene.
+  c.eye = center + from * std::max(distance, radius * 1.01);
+  if (orthographic) {
+    c.height = tall / zoom;
+  } else if (zoom != 1) {
+    c.fov_deg = std::clamp(2 * arc_tangent(half / zoom) * (180.0 / kPi), 1.0, 170.0);
+  }
+  return c;
+}
+
+}  // namespace blysk

@@ -1,0 +1,185 @@
+// shading/corners.h - a triangle's corners, and how much each counts at a pixel.
+//
+// F and I are float and int32 for one triangle, F32 and I32 for sixteen.
+#pragma once
+
+#include "lighting/lighting.h"
+#include "shading/shade.h"
+#include "simd/lanes.h"
+
+namespace blysk::BLYSK_ISA {
+
+BLYSK_INLINE std::int32_t fetch(const std::int32_t* base, std::int32_t index) { return base[index]; }
+BLYSK_INLINE std::int32_t fetch(const std::uint32_t* base, std::int32_t index) { return static_cast<std::int32_t>(base[index]); }
+BLYSK_INLINE float fetch(const float* base, std::int32_t index) { return base[index]; }
+BLYSK_INLINE I32 fetch(const std::int32_t* base, I32 index) { return gather(base, index); }
+BLYSK_INLINE I32 fetch(const std::uint32_t* base, I32 index) { return gather(base, index); }
+BLYSK_INLINE F32 fetch(const float* base, I32 index) { return gather(base, index); }
+BLYSK_INLINE bool any(bool m) { return m; }
+
+template <class F>
+struct IntegerOf;
+template <>
+struct IntegerOf<float> {
+  using type = std::int32_t;
+};
+template <>
+struct IntegerOf<F32> {
+  using type = I32;
+};
+template <class F>
+using Integer = typename IntegerOf<F>::type;
+
+template <class F>
+BLYSK_INLINE V3<F> fetch3(const Vec3f* base, Integer<F> index) {
+  const auto* p = reinterpret_cast<const float*>(base);
+  const Integer<F> at = index * Integer<F>(3);
+  return {fetch(p, at), fetch(p + 1, at), fetch(p + 2, at)};
+}
+
+template <class F>
+BLYSK_INLINE V3<F> times(const float* m, int stride, const V3<F>& v) {
+  const auto row = [&](int i) { return (F(m[i * stride]) * v.x + F(m[i * stride + 1]) * v.y) + F(m[i * stride + 2]) * v.z; };
+  return {row(0), row(1), row(2)};
+}
+
+/// Corners on the screen, homogeneous: a pixel at (x, y) is x[k] - w[k] * x away.
+template <class F>
+struct Corners {
+  Integer<F> vertex[3];  ///< of the mesh
+  F x[3], y[3], w[3];    ///< subpixels; w is 1 unless the triangle was clipped
+  F q[3];                ///< weight of a corner's attributes: 1 / w where perspective counts, else 1
+  bool clipped;          ///< any w is not 1
+};
+
+/// Triangles with unplaced corners keep their homogeneous coordinates: the same weights hold for every clipped piece, and no
+/// attribute is ever clipped.  M. Olano, T. Greer. Triangle scan conversion using 2D homogeneous coordinates. 1997.
+template <class F>
+__attribute__((noinline)) void unplace(const ShadeJob& job, Corners<F>& c) {
+  const Projection& m = job.draw->projection;
+  const auto m0 = c.x[0], m1 = c.x[1], m2 = c.x[2];
+  const F mark(static_cast<float>(kUnplaced));
+  const auto clipped = (m0 == mark) | (m1 == mark) | (m2 == mark);
+  for (int k = 0; k < 3; ++k) {
+    const V3<F> p = fetch3<F>(job.draw->positions, c.vertex[k]);
+    const auto row = [&](int i) {
+      return (F(m.row[i][0]) * p.x + F(m.row[i][1]) * p.y) + (F(m.row[i][2]) * p.z + F(m.row[i][3]));
+    };
+    c.x[k] = select(clipped, row(0), c.x[k]);
+    c.y[k] = select(clipped, row(1), c.y[k]);
+    c.w[k] = select(clipped, row(3), c.w[k]);
+    c.q[k] = select(clipped, F(1.0f), c.q[k]);
+  }
+  c.clipped = true;
+}
+
+/// `triangle` counts within the mesh.
+template <class F>
+BLYSK_INLINE Corners<F> fetch_corners(const ShadeJob& job, Integer<F> triangle) {
+  using I = Integer<F>;
+  Corners<F> c;
+  const I first = triangle * I(3);
+  const auto* words = reinterpret_cast<const std::int32_t*>(job.vertices + job.draw->vertex_base);
+  for (int k = 0; k < 3; ++k) {
+    c.vertex[k] = fetch(job.draw->indices + k, first);
+    const I at = c.vertex[k] * I(4);
+    c.x[k] = to_float(fetch(words, at));
+    c.y[k] = to_float(fetch(words + 1, at));
+    c.w[k] = F(1.0f);
+    c.q[k] = job.screen_linear ? F(1.0f) : fetch(reinterpret_cast<const float*>(words) + 3, at);
+  }
+  c.clipped = false;
+  const F mark(static_cast<float>(kUnplaced));
+  if (__builtin_expect(any((c.x[0] == mark) | (c.x[1] == mark) | (c.x[2] == mark)), 0)) unplace(job, c);
+  return c;
+}
+
+/// Weights of the corners at pixel centres, up to one common factor (of either sign).
+struct Weights {
+  F32 of[3];
+};
+
+template <class F, class Y>
+BLYSK_INLINE Weights weights_at(const Corners<F>& c, F32 x, Y y) {
+  F32 dx[3], dy[3];
+  for (int k = 0; k < 3; ++k) {
+    dx[k] = c.clipped ? F32(c.x[k]) - F32(c.w[k]) * x : F32(c.x[k]) - x;
+    dy[k] = c.clipped ? F32(c.y[k] - c.w[k] * y) : F32(c.y[k] - y);
+  }
+  Weights w;
+  w.of[0] = (dx[1] * dy[2] - dx[2] * dy[1]) * F32(c.q[0]);
+  w.of[1] = (dx[2] * dy[0] - dx[0] * dy[2]) * F32(c.q[1]);
+  w.of[2] = (dx[0] * dy[1] - dx[1] * dy[0]) * F32(c.q[2]);
+  return w;
+}
+
+template <class F>
+BLYSK_INLINE V3<F32> mix(const Weights& w, const V3<F>& a, const V3<F>& b, const V3<F>& c) {
+  return {(w.of[0] * F32(a.x) + w.of[1] * F32(b.x)) + w.of[2] * F32(c.x),
+          (w.of[0] * F32(a.y) + w.of[1] * F32(b.y)) + w.of[2] * F32(c.y),
+          (w.of[0] * F32(a.z) + w.of[1] * F32(b.z)) + w.of[2] * F32(c.z)};
+}
+
+/// The sum of the weights, inverted: only attributes whose length matters need it.
+BLYSK_INLINE F32 inverse_sum(const Weights& w) { return F32(1.0f) / ((w.of[0] + w.of[1]) + w.of[2]); }
+
+/// World normal of the face, not unit.
+template <class F>
+BLYSK_INLINE V3<F> face_normal(const ShadeJob& job, const Corners<F>& c) {
+  const V3<F> p0 = fetch3<F>(job.draw->positions, c.vertex[0]);
+  const V3<F> p1 = fetch3<F>(job.draw->positions, c.vertex[1]);
+  const V3<F> p2 = fetch3<F>(job.draw->positions, c.vertex[2]);
+  const V3<F> a = {p1.x - p0.x, p1.y - p0.y, p1.z - p0.z};
+  const V3<F> b = {p2.x - p0.x, p2.y - p0.y, p2.z - p0.z};
+  const V3<F> n = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return job.draw->moved ? times(job.draw->normal_matrix, 3, n) : n;
+}
+
+/// Per pixel: towards the viewer (not unit), and the point itself where a point light asks for it.
+struct Seen {
+  V3<F32> viewer, point;
+};
+
+template <class Y>
+BLYSK_INLINE Seen seen_at(const ShadeJob& job, F32 x, Y y, F32 nearness, bool want_point) {
+  const ViewRays& r = *job.rays;
+  const auto along = [&](int i) { return F32(Y(r.direction[i]) + y * Y(r.direction_y[i])) + x * F32(r.direction_x[i]); };
+  const V3<F32> direction = {along(0), along(1), along(2)};
+  Seen s;
+  s.viewer = {F32(0.0f) - direction.x, F32(0.0f) - direction.y, F32(0.0f) - direction.z};
+  s.point = s.viewer;
+  if (want_point) {
+    const F32 d = r.orthographic ? F32(r.depth_a) + F32(r.depth_b) * nearness
+                                 : F32(r.depth_a) / (F32(1.0f) + F32(r.depth_b) * nearness);
+    const auto from = [&](int i) { return F32(Y(r.origin[i]) + y * Y(r.origin_y[i])) + x * F32(r.origin_x[i]); };
+    s.point = {from(0) + d * direction.x, from(1) + d * direction.y, from(2) + d * direction.z};
+  }
+  return s;
+}
+
+inline bool has_point_lamp(const Surface& s) {
+  for (int i = 0; i < s.lamps; ++i) {
+    if (s.lamp[i].point) return true;
+  }
+  return false;
+}
+
+/// Intensities and the colours of the vertices to a colour. `w` is read only where vertices have colours.
+template <class F>
+BLYSK_INLINE Rgb<F32> compose(const ShadeJob& job, const Corners<F>& c, const Weights& w, const Intensity<F32>& i) {
+  Rgb<F32> diffuse = i.diffuse;
+  if (job.draw->colors != nullptr) {
+    V3<F> color[3];
+    for (int k = 0; k < 3; ++k) {
+      const auto* p = reinterpret_cast<const float*>(job.draw->colors);
+      const Integer<F> at = c.vertex[k] * Integer<F>(4);
+      color[k] = {fetch(p, at), fetch(p + 1, at), fetch(p + 2, at)};
+    }
+    const V3<F32> mixed = mix(w, color[0], color[1], color[2]);
+    const F32 inverse = inverse_sum(w);
+    diffuse = {diffuse.x * (mixed.x * inverse), diffuse.y * (mixed.y * inverse), diffuse.z * (mixed.z * inverse)};
+  }
+  return {diffuse.x + i.specular.x, diffuse.y + i.specular.y, diffuse.z + i.specular.z};
+}
+
+}  // namespace blysk::BLYSK_ISA

@@ -1,0 +1,56 @@
+// Gouraud shading: the corners are lit, intensities are interpolated.
+//
+// Based on: H. Gouraud. Continuous shading of curved surfaces. 1971. Thesis, section 3.2 of the specification.
+#include "shading/corner_light.h"
+#include "shading/shade_tile.h"
+#include "simd/kernels.h"
+
+namespace blysk::BLYSK_ISA {
+namespace {
+
+struct Gouraud {
+  template <class F>
+  struct Triangle {
+    Corners<F> corners;
+    Intensity<F> intensity[3];
+  };
+  struct Span {};
+
+  template <class F>
+  static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
+    Triangle<F> t;
+    t.corners = fetch_corners<F>(job, index);
+    for (int k = 0; k < 3; ++k) {
+      V3<F> n;
+      if (job.draw->normals == nullptr) {
+        n = face_normal(job, t.corners);
+      } else {
+        n = fetch3<F>(job.draw->normals, t.corners.vertex[k]);
+        if (job.draw->moved) n = times(job.draw->normal_matrix, 3, n);
+      }
+      t.intensity[k] = light_world_point(job, n, world_position<F>(job, t.corners.vertex[k]));
+    }
+    return t;
+  }
+
+  template <class F, class Y>
+  static BLYSK_INLINE Span set_up_span(const ShadeJob&, const Triangle<F>&, Y) {
+    return {};
+  }
+
+  template <class F, class Y>
+  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y, F32) {
+    Weights w = weights_at(t.corners, x, y);
+    const F32 scale = inverse_sum(w);
+    for (F32& weight : w.of) weight = weight * scale;
+    const Intensity<F32> i = {mix(w, t.intensity[0].diffuse, t.intensity[1].diffuse, t.intensity[2].diffuse),
+                              mix(w, t.intensity[0].specular, t.intensity[1].specular, t.intensity[2].specular)};
+    return compose(job, t.corners, w, i);
+  }
+};
+
+}  // namespace
+
+void shade_gouraud(const ShadeJob& job) { shade_draw<Gouraud, ColorSink>(job); }
+
+}  // namespace blysk::BLYSK_ISA
