@@ -36,7 +36,7 @@ std::string quoted(std::string_view text) {
 
 std::string number(double value) {
   char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value);
+  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed);
   return {digits, end.ptr};
 }
 

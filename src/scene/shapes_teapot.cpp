@@ -160,7 +160,7 @@ Scene make_teapot(const Arguments& arguments) {
 Entry teapot() {
   return {{"teapot",
            "Newell's teapot of 32 Bezier patches, its body of radius 1; open under the lid and at the spout",
-           {{"detail", 1, 256, 8, "segments along each side of a patch"}}},
+           {{"detail", 1, 256, 8, "segments along each side of a patch; 1 leaves handle and spout flat"}}},
           make_teapot};
 }
 

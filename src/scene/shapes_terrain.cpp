@@ -58,9 +58,9 @@ Entry terrain() {
            "square of side 2 with hills of gradient noise, facing +Y",
            {{"detail", 1, 4096, 128, "segments along each side"},
             {"seed", 0, 4294967295, 1, "which hills"},
-            {"height", 0, 2, 0.6, "the highest they could be above 0, and the lowest below", false},
-            {"cells", 0.1, 64, 4, "large hills and valleys from side to side", false},
-            {"octaves", 1, 10, 6, "layers of ever finer hills"}}},
+            {"height", 0, 2, 0.5, "how far hills may rise, and valleys fall: 1.04 times this at most", false},
+            {"cells", 0.1, 64, 3, "large hills and valleys from side to side", false},
+            {"octaves", 1, 10, 5, "layers of ever finer hills"}}},
           make_terrain};
 }
 
