@@ -11,8 +11,7 @@ int fail(const blysk::Error& error) {
   return static_cast<int>(error.code);
 }
 
-// A hipped roof: four slopes and no floor. Without normals every face has its own, so that the ridges stay
-// hard.
+// A hipped roof: four slopes and no floor. Without normals every face has its own: the ridges stay hard.
 blysk::Mesh roof() {
   blysk::Mesh mesh;
   mesh.name = "roof";

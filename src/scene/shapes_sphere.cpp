@@ -1,8 +1,7 @@
 // Spheres: by latitude and longitude, from an icosahedron, and the two of the shading thesis' experiment.
-#include <string>
+#include <cmath>
 #include <utility>
 
-#include "math/trig.h"
 #include "scene/shapes_internal.h"
 
 namespace blysk::shape {
@@ -10,7 +9,7 @@ namespace {
 
 // Unit sphere with poles on the Y axis. Slices begin where `start` half turns from +Z to +X lead.
 Mesh globe(int slices, int stacks, int start) {
-  std::vector<Turn> meridians;  // an extra one for the seam, and at each pole every slice's own
+  std::vector<Turn> meridians;  // one more for the seam
   for (int slice = 0; slice <= slices; ++slice) {
     meridians.push_back(
         turn(2 * std::int64_t{slice} + std::int64_t{start} * slices, 2 * std::int64_t{slices}));

@@ -12,8 +12,7 @@
 namespace blysk::shape {
 namespace {
 
-// Four quarter patches: an axis meets the ring at `radius`, and the control point beside it lies `arm` to the
-// side.
+// Four quarter patches: the ring meets the axes at `radius`; the control points beside lie `arm` aside.
 struct Ring {
   double radius, arm, height;
 };

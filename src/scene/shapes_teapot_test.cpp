@@ -67,8 +67,7 @@ TEST(teapot, is_smooth_across_patches) {
   }
 }
 
-// Where two patches of a part meet, their tangent planes are the same: the normal just beside the border is
-// near.
+// Where two patches of a part meet, their tangent planes are the same.
 TEST(teapot, normals_do_not_jump_along_a_fine_mesh) {
   const Mesh mesh = teapot(64);
   double worst = 1;

@@ -1,5 +1,4 @@
-// A square of hills: the height is gradient noise, each octave half as high and twice as fine as the one
-// before.
+// A square of hills: octaves of gradient noise, each half as high and twice as fine as the one before.
 #include <utility>
 
 #include "core/random.h"
@@ -56,7 +55,7 @@ Scene make_terrain(const Arguments& arguments) {
 Entry terrain() {
   return {{"terrain",
            "square of side 2 with hills of gradient noise, facing +Y",
-           {{"detail", 1, 4096, 128, "segments along each side"},
+           {{"detail", 1, 2048, 128, "segments along each side"},
             {"seed", 0, 4294967295, 1, "which hills"},
             {"height", 0, 2, 0.5, "how far hills may rise, and valleys fall: 1.04 times this at most", false},
             {"cells", 0.1, 64, 3, "large hills and valleys from side to side", false},

@@ -28,8 +28,7 @@ Triangle random_triangle(Random& random, float size) {
 }
 
 // Depths of parallel triangles: layers of equal distance, each half as thick as its share of the cube, and
-// inside it every triangle at a depth of its own. Layers take turns; inside a layer the order of depths is
-// scattered.
+// inside it every triangle at a depth of its own. Layers take turns; inside one, depths are scattered.
 class Layers {
  public:
   Layers(std::int64_t count, std::int64_t layers)
