@@ -20,6 +20,7 @@ constexpr int kDotRoom = kDotSide * kDotSide * kLanes + kLanes;
 struct Triangles {
   I32 vertex[3];     // frame indices
   I32 x[3], y[3];
+  F32 nearness[3];
   I32 area;          // twice the area, 1/65536 pixel
   I32 left, top, right, bottom;  // pixel centres in the box, inclusive
   I32 id;
@@ -28,8 +29,9 @@ struct Triangles {
 BLYSK_INLINE I32 min3(const I32* v) { return min(min(v[0], v[1]), v[2]); }
 BLYSK_INLINE I32 max3(const I32* v) { return max(max(v[0], v[1]), v[2]); }
 
-BLYSK_INLINE void swap_where(Mask m, I32& a, I32& b) {
-  const I32 old = a;
+template <class Lanes>
+BLYSK_INLINE void swap_where(Mask m, Lanes& a, Lanes& b) {
+  const Lanes old = a;
   a = select(m, b, a);
   b = select(m, old, b);
 }
@@ -61,11 +63,10 @@ struct Dots {
 BLYSK_INLINE int find_dots(const AssembleJob& job, const Triangles& t, Mask which, Dots& dots, Mask& hit_any) {
   Edge e0 = make_edge(t, 1, 2), e1 = make_edge(t, 2, 0), e2 = make_edge(t, 0, 1);
   // Interpolation of nearness from the two exact weights e1 and e2.
-  const auto* words = reinterpret_cast<const float*>(job.vertices) + 2;
-  const F32 z0 = gather(words, shift_left<2>(t.vertex[0]));
+  const F32 z0 = t.nearness[0];
   const F32 inverse = F32(1.0f) / to_float(t.area);
-  const F32 dz1 = (gather(words, shift_left<2>(t.vertex[1])) - z0) * inverse;
-  const F32 dz2 = (gather(words, shift_left<2>(t.vertex[2])) - z0) * inverse;
+  const F32 dz1 = (t.nearness[1] - z0) * inverse;
+  const F32 dz2 = (t.nearness[2] - z0) * inverse;
 
   int n = 0;
   for (int j = 0; j < kDotSide; ++j) {
@@ -132,12 +133,13 @@ BLYSK_INLINE void bin_small(const AssembleJob& job, const Triangles& t, unsigned
 BLYSK_INLINE void assemble_block(AssembleJob& job, const I32 index[3], I32 id, Mask valid) {
   Triangles t;
   t.id = id;
-  const auto* words = reinterpret_cast<const std::int32_t*>(job.vertices);
   for (int k = 0; k < 3; ++k) {
     t.vertex[k] = index[k] + I32(static_cast<std::int32_t>(job.vertex_base));
-    const I32 at = shift_left<2>(t.vertex[k]);
-    t.x[k] = gather(words, at);
-    t.y[k] = gather(words + 1, at);
+    F32 vertex[4];
+    gather_rows<4>(reinterpret_cast<const float*>(job.vertices), t.vertex[k], vertex);
+    t.x[k] = bits_of(vertex[0]);
+    t.y[k] = bits_of(vertex[1]);
+    t.nearness[k] = vertex[2];
   }
   const I32 x_min = min3(t.x), x_max = max3(t.x), y_min = min3(t.y), y_max = max3(t.y);
   const Mask unplaced = x_min == I32(kUnplaced);
@@ -172,6 +174,7 @@ BLYSK_INLINE void assemble_block(AssembleJob& job, const I32 index[3], I32 id, M
   swap_where(negative, t.x[1], t.x[2]);
   swap_where(negative, t.y[1], t.y[2]);
   swap_where(negative, t.vertex[1], t.vertex[2]);
+  swap_where(negative, t.nearness[1], t.nearness[2]);
 
   const Mask tiny = live & (t.right - t.left < I32(kDotSide)) & (t.bottom - t.top < I32(kDotSide));
   const unsigned tiny_bits = to_bits(tiny);

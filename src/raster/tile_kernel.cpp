@@ -46,7 +46,7 @@ BLYSK_INLINE void depth_test(Mask covered, F32 nearness, std::uint32_t id, float
     const I32 owner = load(id_at);
     wins = wins | (ties & ((owner > I32(static_cast<std::int32_t>(id))) | (owner < I32(0))));
   }
-  if (!any(wins)) return;
+  // No branch on an empty mask: for small triangles it would be mispredicted more often than it spares a store.
   store_masked(wins, nearness, depth_at);
   store_masked(wins, I32(static_cast<std::int32_t>(id)), id_at);
 }
@@ -68,10 +68,8 @@ BLYSK_INLINE void draw_rows(const RowSetup& s, TileBuffers& tile) {
     int at = s.top * kTileSize + left;
     for (int y = s.top; y <= s.bottom; ++y, at += kTileSize) {
       const Mask covered = inside & ((e[0] | e[1] | e[2]) >= I32(0));
-      if (any(covered)) {
-        const F32 plane = F32(s.nearness + dy * s.slope_y) + along;
-        depth_test(covered, min(max(plane, lowest), highest), s.id, tile.nearness + at, tile.id + at);
-      }
+      const F32 plane = F32(s.nearness + dy * s.slope_y) + along;
+      depth_test(covered, min(max(plane, lowest), highest), s.id, tile.nearness + at, tile.id + at);
       for (int k = 0; k < 3; ++k) e[k] = e[k] + I32(s.step_y[k]);
       dy += static_cast<float>(kSubpixels);
     }
@@ -96,16 +94,15 @@ BLYSK_INLINE void set_up_edge(I32 ax, I32 ay, I32 bx, I32 by, I32 px, I32 py, Se
 }
 
 BLYSK_INLINE void set_up_small(const TileJob& job, const SmallEntry* entries, SetupBlock& out) {
-  const auto* words = reinterpret_cast<const std::int32_t*>(job.vertices);
   I32 x[3], y[3];
-  F32 z[3];
+  F32 z[3], entry[4];
+  gather_rows<4>(reinterpret_cast<const float*>(entries), iota(0), entry);
   for (int k = 0; k < 3; ++k) {
-    std::int32_t at[kLanes];
-    for (int i = 0; i < kLanes; ++i) at[i] = static_cast<std::int32_t>(entries[i].vertex[k] * 4);
-    const I32 index = load(at);
-    x[k] = gather(words, index) - I32(job.x * kSubpixels);
-    y[k] = gather(words + 1, index) - I32(job.y * kSubpixels);
-    z[k] = gather(reinterpret_cast<const float*>(words) + 2, index);
+    F32 vertex[4];
+    gather_rows<4>(reinterpret_cast<const float*>(job.vertices), bits_of(entry[k + 1]), vertex);
+    x[k] = bits_of(vertex[0]) - I32(job.x * kSubpixels);
+    y[k] = bits_of(vertex[1]) - I32(job.y * kSubpixels);
+    z[k] = vertex[2];
   }
   const auto first = [](I32 v) { return shift_right<kSubpixelBits>(v + I32(kSubpixels / 2 - 1)); };
   const auto last = [](I32 v) { return shift_right<kSubpixelBits>(v - I32(kSubpixels / 2)); };

@@ -9,12 +9,6 @@
 
 namespace blysk::BLYSK_ISA {
 
-BLYSK_INLINE std::int32_t fetch(const std::int32_t* base, std::int32_t index) { return base[index]; }
-BLYSK_INLINE std::int32_t fetch(const std::uint32_t* base, std::int32_t index) { return static_cast<std::int32_t>(base[index]); }
-BLYSK_INLINE float fetch(const float* base, std::int32_t index) { return base[index]; }
-BLYSK_INLINE I32 fetch(const std::int32_t* base, I32 index) { return gather(base, index); }
-BLYSK_INLINE I32 fetch(const std::uint32_t* base, I32 index) { return gather(base, index); }
-BLYSK_INLINE F32 fetch(const float* base, I32 index) { return gather(base, index); }
 BLYSK_INLINE bool any(bool m) { return m; }
 
 template <class F>
@@ -30,11 +24,21 @@ struct IntegerOf<F32> {
 template <class F>
 using Integer = typename IntegerOf<F>::type;
 
+// Four neighbouring words at base + stride * index. Blocks of Array have room to be read past their end.
+template <int kStride>
+BLYSK_INLINE void fetch_row(const float* base, std::int32_t index, float row[4]) {
+  std::memcpy(row, base + std::ptrdiff_t{kStride} * index, 4 * sizeof(float));
+}
+template <int kStride>
+BLYSK_INLINE void fetch_row(const float* base, I32 index, F32 row[4]) {
+  gather_rows<kStride>(base, index, row);
+}
+
 template <class F>
 BLYSK_INLINE V3<F> fetch3(const Vec3f* base, Integer<F> index) {
-  const auto* p = reinterpret_cast<const float*>(base);
-  const Integer<F> at = index * Integer<F>(3);
-  return {fetch(p, at), fetch(p + 1, at), fetch(p + 2, at)};
+  F row[4];
+  fetch_row<3>(reinterpret_cast<const float*>(base), index, row);
+  return {row[0], row[1], row[2]};
 }
 
 template <class F>
@@ -76,17 +80,17 @@ __attribute__((noinline)) void unplace(const ShadeJob& job, Corners<F>& c) {
 /// `triangle` counts within the mesh.
 template <class F>
 BLYSK_INLINE Corners<F> fetch_corners(const ShadeJob& job, Integer<F> triangle) {
-  using I = Integer<F>;
   Corners<F> c;
-  const I first = triangle * I(3);
-  const auto* words = reinterpret_cast<const std::int32_t*>(job.vertices + job.draw->vertex_base);
+  F index[4];
+  fetch_row<3>(reinterpret_cast<const float*>(job.draw->indices), triangle, index);
   for (int k = 0; k < 3; ++k) {
-    c.vertex[k] = fetch(job.draw->indices + k, first);
-    const I at = c.vertex[k] * I(4);
-    c.x[k] = to_float(fetch(words, at));
-    c.y[k] = to_float(fetch(words + 1, at));
+    F vertex[4];
+    c.vertex[k] = bits_of(index[k]);
+    fetch_row<4>(reinterpret_cast<const float*>(job.vertices + job.draw->vertex_base), c.vertex[k], vertex);
+    c.x[k] = to_float(bits_of(vertex[0]));
+    c.y[k] = to_float(bits_of(vertex[1]));
     c.w[k] = F(1.0f);
-    c.q[k] = job.screen_linear ? F(1.0f) : fetch(reinterpret_cast<const float*>(words) + 3, at);
+    c.q[k] = job.screen_linear ? F(1.0f) : vertex[3];
   }
   c.clipped = false;
   const F mark(static_cast<float>(kUnplaced));
@@ -171,9 +175,9 @@ BLYSK_INLINE Rgb<F32> compose(const ShadeJob& job, const Corners<F>& c, const We
   if (job.draw->colors != nullptr) {
     V3<F> color[3];
     for (int k = 0; k < 3; ++k) {
-      const auto* p = reinterpret_cast<const float*>(job.draw->colors);
-      const Integer<F> at = c.vertex[k] * Integer<F>(4);
-      color[k] = {fetch(p, at), fetch(p + 1, at), fetch(p + 2, at)};
+      F row[4];
+      fetch_row<4>(reinterpret_cast<const float*>(job.draw->colors), c.vertex[k], row);
+      color[k] = {row[0], row[1], row[2]};
     }
     const V3<F32> mixed = mix(w, color[0], color[1], color[2]);
     const F32 inverse = inverse_sum(w);

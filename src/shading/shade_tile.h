@@ -21,9 +21,10 @@ namespace blysk::BLYSK_ISA {
 
 BLYSK_INLINE F32 unit_clamp(F32 v) { return min(max(v, F32(0.0f)), F32(1.0f)); }
 
-/// 0..1 to 0..255 by the transfer function (image/transfer.h is the model).
+/// 0..1 to 0..255 in the low byte by the transfer function (image/transfer.h is the model); the highest byte is not clean.
 BLYSK_INLINE I32 encode(Transfer transfer, F32 v) {
-  if (transfer == Transfer::none) return truncate(unit_clamp(v) * F32(255.0f) + F32(0.5f));
+  // Adding 2^23 leaves the nearest integer in the low bits (and 0x4b above them, which pack() lets fall out).
+  if (transfer == Transfer::none) return bits_of(unit_clamp(v) * F32(255.0f) + F32(8388608.0f));
   const I32 bits = bits_of(min(max(v, F32(kSrgbLowest)), F32(kSrgbHighest)));
   const I32 segment = gather(kSrgbSegments, shift_right<20>(bits - I32(static_cast<std::int32_t>(kSrgbLowestBits))));
   const I32 base = shift_left<9>(shift_right<16>(segment) & I32(0xffff));
@@ -95,15 +96,12 @@ BLYSK_INLINE void shade_draw(const ShadeJob& job) {
       // kNoTriangle is -1 here and drops out of the range.
       const unsigned mine = to_bits((id >= first_id) & (id <= last_id) & lanes_below(job.width - column));
       if (mine == 0) continue;
-      std::int32_t ids[kLanes + 1];
-      store(id, ids + 1);
-      ids[0] = -1;
-      const unsigned starts = mine & to_bits(id != load(ids));
-      const I32 triangles = id - first_id;
+      // The last pixels of runs, in this block of sixteen.
+      const unsigned ends = mine & (to_bits(id != load(job.buffers->id + at + 1)) | 1u << (kLanes - 1));
 
-      if (__builtin_popcount(starts) * kSpanPixels > __builtin_popcount(mine)) {
+      if (__builtin_popcount(ends) * kSpanPixels > __builtin_popcount(mine)) {
         const Mask m = lanes_of(mine);
-        store_compressed(m, triangles, strays.triangle + strays.count);
+        store_compressed(m, id - first_id, strays.triangle + strays.count);
         strays.count += store_compressed(m, iota(at), strays.at + strays.count);
         if (strays.count >= kLanes) {
           shade_strays<Method, Sink>(job, strays, kLanes);
@@ -116,13 +114,10 @@ BLYSK_INLINE void shade_draw(const ShadeJob& job) {
       const F32 x = to_float(iota(job.x + column)) * F32(static_cast<float>(kSubpixels)) + F32(kSubpixels / 2.0f);
       const F32 nearness = load(job.buffers->nearness + at);
       for (unsigned left = mine; left != 0;) {
-        // A run: from the first pixel left to the next start of another, as far as pixels are ours.
+        const unsigned run = left & ((2u << __builtin_ctz(ends & left)) - 1);
         const int begin = __builtin_ctz(left);
-        const unsigned ends = (starts & ~((2u << begin) - 1)) | (~mine & ~((1u << begin) - 1)) | (1u << kLanes);
-        const int end = __builtin_ctz(ends);
-        const unsigned run = ((1u << end) - 1) & ~((1u << begin) - 1);
         left &= ~run;
-        const std::int32_t index = ids[begin + 1] - static_cast<std::int32_t>(job.draw->id_base);
+        const auto index = static_cast<std::int32_t>(job.buffers->id[at + begin] - job.draw->id_base);
         if (index != known) {
           triangle = Method::template set_up_triangle<float>(job, index);
           known = index;
