@@ -63,6 +63,7 @@ std::string folder_of(const std::string& path) {
 }
 
 std::string reason_of(int error, const std::string& path) {
+  if (path.empty()) return "its name is empty; give one";
   switch (error) {
     case ENOENT:
       return "the folder " + folder_of(path) + " does not exist; create it first";
@@ -152,7 +153,8 @@ int write_path(const std::string& path, std::span<const ByteSpan> pieces) {
   if (S_ISDIR(status.st_mode)) return EISDIR;
   if (S_ISREG(status.st_mode)) {
     // Renaming would also replace a file that its owner has made read-only.
-    return ::access(path.c_str(), W_OK) != 0 ? errno : replace_file(target_of(path), pieces);
+    return ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0 ? errno
+                                                                      : replace_file(target_of(path), pieces);
   }
   const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   return file < 0 ? errno : write_and_close(file, pieces);
