@@ -92,6 +92,28 @@ void append_stored(std::span<const std::uint8_t> data, Array<std::uint8_t>& out)
   }
 }
 
+// Whether the bytes at p repeat those a pixel before. Fewer than eight are hardly smaller as a run than as
+// literals and cost a mispredicted branch; at a row's end they would also let bytes beyond the data decide.
+template <int kPixelBytes>
+bool begins_run(const std::uint8_t* p, const std::uint8_t* row_end) {
+  return row_end - p >= 8 && load64(p) == load64(p - kPixelBytes);
+}
+
+// The whole pixels from p on, which begins a run or ends the row, that repeat the one before them.
+template <int kPixelBytes>
+std::ptrdiff_t run_length(const std::uint8_t* p, const std::uint8_t* row_end) {
+  const std::uint8_t* end = p;
+  while (end < row_end) {
+    const std::uint64_t difference = load64(end) ^ load64(end - kPixelBytes);
+    if (difference != 0) {
+      end += std::countr_zero(difference) / 8;
+      break;
+    }
+    end += sizeof difference;
+  }
+  return (std::min(end, row_end) - p) / kPixelBytes;
+}
+
 }  // namespace
 
 template <int kPixelBytes>
@@ -107,20 +129,11 @@ void RunDeflate::scan(std::span<const std::uint8_t> data, const RowLayout& layou
     ++p;
     while (p != row_end) {
       const std::uint8_t* start = p;
-      // Shorter repeats than two pixels are hardly smaller than literals and cost a mispredicted branch.
       do {
         for (int i = 0; i < kPixelBytes; ++i) ++literal_counts_[static_cast<std::size_t>(i)][p[i]];
         p += kPixelBytes;
-      } while (p != row_end && load64(p) != load64(p - kPixelBytes));
-      const std::uint8_t* run_end = p;
-      std::uint64_t difference = 0;
-      while (run_end < row_end) {
-        difference = load64(run_end) ^ load64(run_end - kPixelBytes);
-        if (difference != 0) break;
-        run_end += sizeof difference;
-      }
-      if (difference != 0) run_end += std::countr_zero(difference) / 8;
-      const std::ptrdiff_t repeats = (std::min(run_end, row_end) - p) / kPixelBytes;
+      } while (p != row_end && !begins_run<kPixelBytes>(p, row_end));
+      const std::ptrdiff_t repeats = run_length<kPixelBytes>(p, row_end);
       tokens_.push_back(
           {static_cast<std::uint16_t>((p - start) / kPixelBytes), static_cast<std::uint16_t>(repeats)});
       if (repeats != 0)

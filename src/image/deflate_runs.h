@@ -27,7 +27,7 @@ struct RowLayout {
 
 class RunDeflate {
  public:
-  /// Bytes after the data that are read, though they do not count.
+  /// Bytes after the data that are read; their values do not matter.
   static constexpr std::size_t kSlack = 8;
 
   /// Appends whole rows to `out` as deflate blocks of which none is final. They begin and end on a byte
