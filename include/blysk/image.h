@@ -11,10 +11,12 @@
 
 namespace blysk {
 
+inline constexpr int kMaxPictureSide = 16384;  ///< pixels
+
 /// Eight bits a channel, RGBA, straight (not premultiplied) alpha, row 0 at the top, no padding.
 struct Image {
-  int width = 0, height = 0;             ///< pixels, 1..16384
-  Array<std::uint32_t> pixels;           ///< width * height; red in the low byte
+  int width = 0, height = 0;    ///< pixels, 1..kMaxPictureSide
+  Array<std::uint32_t> pixels;  ///< width * height; red in the low byte
 
   void resize(int w, int h) {
     width = w;
@@ -39,22 +41,35 @@ enum class PictureFormat { png, ppm, pfm };
 
 /// How hard PNG tries: 1 fast (default) ... 9 small.
 struct PictureOptions {
-  int compression = 1;
-  int threads = 0;       ///< 0: one per processor
-  bool alpha = true;     ///< false: PNG without alpha channel
+  int compression = 1;  ///< 1..9
+  int threads = 0;      ///< 0: one per processor
+  bool alpha = true;    ///< false: PNG without alpha channel
 };
 
-/// The format that a file name's extension asks for; ErrorCode::usage with the known ones if none.
+/// The format that a file name's extension asks for, in either case; ErrorCode::usage with the known ones if
+/// none.
+/// "-", standard output, is PNG.
 [[nodiscard]] Result<PictureFormat> picture_format(const std::string& path);
 
-/// Writes to a temporary name and renames: no half-written file is ever left, an existing one stays until
-/// the new one is whole. "-" is standard output. PPM drops alpha. PFM stores linear floats.
+/// Writes to a temporary name in the same folder and renames: no half-written file is ever left, an existing
+/// one stays until the new one is whole. Devices and pipes are written directly, "-" is standard output. PPM
+/// drops alpha; PFM drops it too and stores each channel divided by 255, without decoding the transfer
+/// function.
 [[nodiscard]] Status write_picture(const Image& image, const std::string& path, PictureFormat format,
                                    const PictureOptions& options = {});
+
+/// The same for floats, which PFM stores as they are. For PNG (without alpha) and PPM one channel is a depth,
+/// shown as gray: of the finite values below 1 the nearest is white (255) and the farthest black (0),
+/// linearly between; all others are black. Three channels are a normal: -1..1 becomes 0..255.
 [[nodiscard]] Status write_picture(const FloatImage& image, const std::string& path, PictureFormat format,
                                    const PictureOptions& options = {});
 
-/// The bytes of a picture file.
+/// Removes the temporary files of the calls of write_picture that are under way (of 16 at once), which then
+/// fail. For a handler of SIGINT or SIGTERM that ends the process: async-signal-safe.
+void discard_unfinished_pictures() noexcept;
+
+/// The bytes of a PNG file, independent of the number of threads; none if the image has no pixels or more
+/// than kMaxPictureSide a side.
 [[nodiscard]] Array<std::uint8_t> encode_png(const Image& image, const PictureOptions& options = {});
 
 /// SHA-256 of bytes, as 64 hexadecimal digits.
