@@ -25,19 +25,21 @@ BLYSK_INLINE F dot(const V3<F>& a, const V3<G>& b) {
 template <class F>
 using Rgb = V3<F>;
 
-/// cos^n of a clamped cosine.
+/// cos^n from the square of a cosine in [0, 1].
 template <class F>
-BLYSK_INLINE F power_lobe(F cosine, const Surface& s) {
-  if (s.whole_shininess > 0) {
-    // Repeated squaring from the highest bit of n: at most two multiplications a bit.
-    F r = cosine;
-    for (int bit = 30 - __builtin_clz(static_cast<unsigned>(s.whole_shininess)); bit >= 0; --bit) {
-      r = r * r;
-      if (((s.whole_shininess >> bit) & 1) != 0) r = r * cosine;
-    }
-    return r;
+BLYSK_INLINE F power_lobe(F square, const Surface& s) {
+  if (s.whole_shininess == 0) {
+    return select(square > F(0.0f), power_poly(max(square, F(1e-30f)), 0.5f * s.shininess), F(0.0f));
   }
-  return select(cosine > F(0.0f), power_poly(max(cosine, F(1e-30f)), s.shininess), F(0.0f));
+  if (s.whole_shininess == 1) return sqrt(square);
+  // (cos^2)^(n/2) by repeated squaring from the highest bit of n/2: at most two multiplications a bit.
+  const int half = s.whole_shininess >> 1;
+  F r = square;
+  for (int bit = 30 - __builtin_clz(static_cast<unsigned>(half)); bit >= 0; --bit) {
+    r = r * r;
+    if (((half >> bit) & 1) != 0) r = r * square;
+  }
+  return (s.whole_shininess & 1) != 0 ? r * sqrt(square) : r;
 }
 
 /// The light that leaves a point: what Gouraud shading interpolates.
@@ -47,10 +49,10 @@ struct Intensity {
   Rgb<F> specular;  ///< specular light times ks, and emission
 };
 
-/// Lights a point. `n` and `v` (to the viewer) need not be unit; `p` is read for point lights only. The side that faces
-/// the viewer is the one that is lit.
-template <class F>
-BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3<F>& v, const V3<F>& p) {
+/// Lights a point. `n` and `v` (to the viewer) need not be unit; `where()` gives the point and is called for point lights
+/// only. The side that faces the viewer is the one that is lit.
+template <class F, class Where>
+BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3<F>& v, Where where) {
   const F tiny(1e-30f);
   const F rn = reciprocal_root(max(dot(n, n), tiny));
   const F rv = reciprocal_root(max(dot(v, v), tiny));
@@ -64,6 +66,7 @@ BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3
     const Lamp& lamp = s.lamp[i];
     V3<F> l = {F(lamp.vector[0]), F(lamp.vector[1]), F(lamp.vector[2])};
     if (lamp.point) {
+      const V3<F> p = where();
       l = {l.x - p.x, l.y - p.y, l.z - p.z};
       const F rl = reciprocal_root(max(dot(l, l), tiny));
       l = {l.x * rl, l.y * rl, l.z * rl};
@@ -76,16 +79,19 @@ BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3
     if (s.model == LightingModel::lambert) continue;
 
     const F l_v = dot(v, l) * rv;
-    F cosine;
+    // The square of the cosine is what a division gives at once, without the root of |L + V|: for unit L and V
+    // |L + V|^2 = 2 + 2 L.V.
+    F square;
     if (s.model == LightingModel::blinn) {
-      // N.H / |L + V| for unit L and V: |L + V|^2 = 2 + 2 L.V
-      cosine = (cos_l + cos_v) * reciprocal_root(max(F(2.0f) + F(2.0f) * l_v, F(1e-12f)));
+      const F n_h = max(cos_l + cos_v, F(0.0f));
+      square = n_h * n_h / max(F(2.0f) + F(2.0f) * l_v, F(1e-12f));
     } else {
-      cosine = F(2.0f) * cos_l * cos_v - l_v;  // R.V
+      const F r_v = max(F(2.0f) * cos_l * cos_v - l_v, F(0.0f));
+      square = r_v * r_v;
     }
-    // Roots are good to 7.5e-7: a cosine above 1 would show in a high power.
-    cosine = min(max(cosine, F(0.0f)), F(1.0f));
-    const F lobe = select(cos_l > F(0.0f), power_lobe(cosine, s), F(0.0f));
+    // Roots are good to 7.5e-7: above 1 that would show in a high power.
+    square = min(square, F(1.0f));
+    const F lobe = select(cos_l > F(0.0f), power_lobe(square, s), F(0.0f));
     sum.specular = {sum.specular.x + F(lamp.specular[0]) * lobe, sum.specular.y + F(lamp.specular[1]) * lobe,
                     sum.specular.z + F(lamp.specular[2]) * lobe};
   }

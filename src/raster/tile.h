@@ -30,6 +30,9 @@ struct TileJob {
   TileBuffers* buffers;          ///< out: nearness, id, and color filled with the background
 };
 
+/// Copies `rows` rows of `width` colours of a tile to a picture whose rows are `stride` pixels apart.
+using StoreTileFunction = void (*)(const TileBuffers& tile, int width, int rows, std::uint32_t* to, std::size_t stride);
+
 /// Returns how many pixels are covered.
 using RasterizeFunction = int (*)(const TileJob&);
 

@@ -1,6 +1,8 @@
 // Visibility of one tile: edge functions over rows of sixteen pixels, depth, triangle ids.
 //
 // Based on: J. Pineda. A parallel algorithm for polygon rasterization. 1988.
+#include <hwy/cache_control.h>
+
 #include "geometry/bin_writer.h"
 #include "raster/tile.h"
 #include "simd/kernels.h"
@@ -206,6 +208,21 @@ BLYSK_INLINE void draw_dot(TileBuffers& tile, const DotEntry& dot) {
 }
 
 }  // namespace
+
+void store_tile(const TileBuffers& tile, int width, int rows, std::uint32_t* to, std::size_t stride) {
+  // Whole lines go past the caches: a picture is not read again before the last tile is done, and fetching lines only to
+  // overwrite them would cost as much as the store.
+  const bool stream = width == kTileSize && reinterpret_cast<std::uintptr_t>(to) % 64 == 0 && stride % 16 == 0;
+  for (int row = 0; row < rows; ++row, to += stride) {
+    const std::uint32_t* from = tile.color + row * kTileSize;
+    if (stream) {
+      for (int i = 0; i < kTileSize; i += kLanes) store_past_caches(load(from + i), to + i);
+    } else {
+      std::memcpy(to, from, static_cast<std::size_t>(width) * sizeof *to);
+    }
+  }
+  if (stream) hwy::FlushStream();
+}
 
 int rasterize_tile(const TileJob& job) {
   clear(job);

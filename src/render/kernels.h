@@ -21,6 +21,7 @@ struct Kernels {
   TransformFunction transform;
   AssembleFunction assemble;
   RasterizeFunction rasterize;
+  StoreTileFunction store_tile;
   ShadeFunction write_normals;
   const ShadingKernel* shadings;
   int shadings_count;

@@ -33,6 +33,7 @@ struct Worker {
   std::vector<std::uint32_t> rest;
   std::vector<float> normals;
   std::vector<std::uint8_t> seen_draws;
+  bool blank = false;  ///< `tile` is clear: the last tile had nothing in it
   std::uint64_t culled = 0, drawn = 0, covered = 0;
 };
 
@@ -84,6 +85,7 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
     w.bins.reset(tiles);
     w.rest.resize(kChunkTriangles + 16);
     w.culled = w.drawn = w.covered = 0;
+    w.blank = false;  // the background may have changed
   }
   cut(&DrawPlan::triangles, kChunkTriangles);
   pool.for_each(chunks.size(), [&](int worker, std::size_t i) {
@@ -145,7 +147,12 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
   const int width = std::min(kTileSize, options.width - x), height = std::min(kTileSize, options.height - y);
   const TileJob job = {x,      y,    width, height, tile, vertices.data(), bin_lists.data(), static_cast<int>(bin_lists.size()),
                        plan.background, &buffers};
-  const int covered = table.rasterize(job);
+  const bool empty = std::all_of(bin_lists.begin(), bin_lists.end(), [&](const Bin* lists) {
+    const Bin* of_tile = lists + bin_index(tile, Stream::dot);
+    return std::all_of(of_tile, of_tile + kStreams, [](const Bin& bin) { return bin.first == nullptr; });
+  });
+  const int covered = empty && worker.blank ? 0 : table.rasterize(job);
+  worker.blank = empty;
   worker.covered += static_cast<std::uint64_t>(covered);
 
   ShadeJob shading{x, y, width, height, &buffers, nullptr, vertices.data(), nullptr, &plan.view.rays,
@@ -156,11 +163,13 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
     shading.normals = worker.normals.data();
     if (covered > 0) shade_draws(worker, shading, table.write_normals);
   }
+  const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(options.width) + static_cast<std::size_t>(x);
+  table.store_tile(buffers, width, height, frame.image.pixels.data() + first, static_cast<std::size_t>(options.width));
+  if (!options.want_depth && !options.want_normal && !options.want_id) return;
   for (int row = 0; row < height; ++row) {
     const std::size_t from = static_cast<std::size_t>(row) * kTileSize;
     const std::size_t to = static_cast<std::size_t>(y + row) * static_cast<std::size_t>(options.width) + static_cast<std::size_t>(x);
     const auto count = static_cast<std::size_t>(width);
-    std::memcpy(&frame.image.pixels[to], &buffers.color[from], count * sizeof(std::uint32_t));
     if (options.want_normal) std::memcpy(&frame.normal.values[3 * to], &worker.normals[3 * from], 3 * count * sizeof(float));
     for (std::size_t i = 0; i < count && options.want_depth; ++i) frame.depth.values[to + i] = 1.0f - buffers.nearness[from + i];
     for (std::size_t i = 0; i < count && options.want_id; ++i) frame.id[to + i] = buffers.id[from + i] + 1;

@@ -20,7 +20,7 @@ BLYSK_INLINE Intensity<F> light_world_point(const ShadeJob& job, const V3<F>& n,
   const ViewRays& r = *job.rays;
   const V3<F> viewer = r.orthographic ? V3<F>{F(-r.direction[0]), F(-r.direction[1]), F(-r.direction[2])}
                                       : V3<F>{F(r.origin[0]) - p.x, F(r.origin[1]) - p.y, F(r.origin[2]) - p.z};
-  return light_point(job.draw->surface, n, viewer, p);
+  return light_point(job.draw->surface, n, viewer, [&] { return p; });
 }
 
 }  // namespace blysk::BLYSK_ISA

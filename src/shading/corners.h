@@ -139,33 +139,22 @@ BLYSK_INLINE V3<F> face_normal(const ShadeJob& job, const Corners<F>& c) {
   return job.draw->moved ? times(job.draw->normal_matrix, 3, n) : n;
 }
 
-/// Per pixel: towards the viewer (not unit), and the point itself where a point light asks for it.
-struct Seen {
-  V3<F32> viewer, point;
-};
-
+/// Towards the viewer, not unit.
 template <class Y>
-BLYSK_INLINE Seen seen_at(const ShadeJob& job, F32 x, Y y, F32 nearness, bool want_point) {
+BLYSK_INLINE V3<F32> viewer_at(const ShadeJob& job, F32 x, Y y) {
   const ViewRays& r = *job.rays;
-  const auto along = [&](int i) { return F32(Y(r.direction[i]) + y * Y(r.direction_y[i])) + x * F32(r.direction_x[i]); };
-  const V3<F32> direction = {along(0), along(1), along(2)};
-  Seen s;
-  s.viewer = {F32(0.0f) - direction.x, F32(0.0f) - direction.y, F32(0.0f) - direction.z};
-  s.point = s.viewer;
-  if (want_point) {
-    const F32 d = r.orthographic ? F32(r.depth_a) + F32(r.depth_b) * nearness
-                                 : F32(r.depth_a) / (F32(1.0f) + F32(r.depth_b) * nearness);
-    const auto from = [&](int i) { return F32(Y(r.origin[i]) + y * Y(r.origin_y[i])) + x * F32(r.origin_x[i]); };
-    s.point = {from(0) + d * direction.x, from(1) + d * direction.y, from(2) + d * direction.z};
-  }
-  return s;
+  const auto along = [&](int i) { return F32(Y(-r.direction[i]) - y * Y(r.direction_y[i])) - x * F32(r.direction_x[i]); };
+  return {along(0), along(1), along(2)};
 }
 
-inline bool has_point_lamp(const Surface& s) {
-  for (int i = 0; i < s.lamps; ++i) {
-    if (s.lamp[i].point) return true;
-  }
-  return false;
+/// The world point that a pixel shows.
+template <class Y>
+BLYSK_INLINE V3<F32> point_at(const ShadeJob& job, F32 x, Y y, F32 nearness, const V3<F32>& viewer) {
+  const ViewRays& r = *job.rays;
+  const F32 d = r.orthographic ? F32(r.depth_a) + F32(r.depth_b) * nearness
+                               : F32(r.depth_a) / (F32(1.0f) + F32(r.depth_b) * nearness);
+  const auto from = [&](int i) { return F32(Y(r.origin[i]) + y * Y(r.origin_y[i])) + x * F32(r.origin_x[i]); };
+  return {from(0) - d * viewer.x, from(1) - d * viewer.y, from(2) - d * viewer.z};
 }
 
 /// Intensities and the colours of the vertices to a colour. `w` is read only where vertices have colours.

@@ -12,7 +12,6 @@ struct Phong {
   struct Triangle {
     Corners<F> corners;
     V3<F> normal[3];
-    bool point_lamp;
   };
   struct Span {};
 
@@ -20,7 +19,6 @@ struct Phong {
   static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
     Triangle<F> t;
     t.corners = fetch_corners<F>(job, index);
-    t.point_lamp = has_point_lamp(job.draw->surface);
     if (job.draw->normals == nullptr) {
       t.normal[0] = t.normal[1] = t.normal[2] = face_normal(job, t.corners);
     } else {
@@ -49,20 +47,21 @@ struct Phong {
   template <class F, class Y>
   static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y, F32 nearness) {
     const Weights w = weights_at(t.corners, x, y);
-    const Seen seen = seen_at(job, x, y, nearness, t.point_lamp);
-    const V3<F32> n = normal_at(job, t, w, seen.viewer);
-    return compose(job, t.corners, w, light_point(job.draw->surface, n, seen.viewer, seen.point));
+    const V3<F32> viewer = viewer_at(job, x, y);
+    const V3<F32> n = normal_at(job, t, w, viewer);
+    const auto where = [&] { return point_at(job, x, y, nearness, viewer); };
+    return compose(job, t.corners, w, light_point(job.draw->surface, n, viewer, where));
   }
 };
 
 // World normals instead of colours, unit and towards the viewer, for the picture of normals.
 struct Normals : Phong {
   template <class F, class Y>
-  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y, F32 nearness) {
-    const Seen seen = seen_at(job, x, y, nearness, false);
-    const V3<F32> n = normal_at(job, t, weights_at(t.corners, x, y), seen.viewer);
+  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y, F32) {
+    const V3<F32> viewer = viewer_at(job, x, y);
+    const V3<F32> n = normal_at(job, t, weights_at(t.corners, x, y), viewer);
     F32 scale = F32(1.0f) / sqrt(dot(n, n));
-    scale = select(dot(n, seen.viewer) < F32(0.0f), F32(0.0f) - scale, scale);
+    scale = select(dot(n, viewer) < F32(0.0f), F32(0.0f) - scale, scale);
     return {n.x * scale, n.y * scale, n.z * scale};
   }
 };

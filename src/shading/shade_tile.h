@@ -54,7 +54,7 @@ struct Strays {
 };
 
 /// Below this many pixels a run they are gathered: a span's set-up costs as much as a few gathered pixels.
-inline constexpr int kSpanPixels = 4;
+inline constexpr int kSpanPixels = 12;
 
 template <class Method, class Sink>
 BLYSK_INLINE void shade_strays(const ShadeJob& job, Strays& s, int count) {

@@ -5,9 +5,13 @@
 #error "kernels.h is for x_kernel.cpp files"
 #endif
 
+#include <cstddef>
+#include <cstdint>
+
 namespace blysk {
 struct TransformJob;
 struct AssembleJob;
+struct TileBuffers;
 struct TileJob;
 struct ShadeJob;
 
@@ -15,6 +19,7 @@ namespace BLYSK_ISA {
 void transform_vertices(const TransformJob& job);
 void assemble_triangles(AssembleJob& job);
 int rasterize_tile(const TileJob& job);
+void store_tile(const TileBuffers& tile, int width, int rows, std::uint32_t* to, std::size_t stride);
 void shade_flat(const ShadeJob& job);
 void shade_gouraud(const ShadeJob& job);
 void shade_phong(const ShadeJob& job);

@@ -194,6 +194,11 @@ BLYSK_INLINE void store(I32 a, std::int32_t* p) {
 
 BLYSK_INLINE void store(I32 a, std::uint32_t* p) { store(a, reinterpret_cast<std::int32_t*>(p)); }
 
+/// Non-temporal; p is aligned to 64. hwy::FlushStream() orders it before what follows.
+BLYSK_INLINE void store_past_caches(I32 a, std::uint32_t* p) {
+  BLYSK_EACH_PART hn::Stream(a.part[i], IntTag(), reinterpret_cast<std::int32_t*>(p) + i * kPartLanes);
+}
+
 /// Writes the lanes of m. The others may be rewritten with what they held: all sixteen must be memory of this thread.
 BLYSK_INLINE void store_masked(Mask m, F32 a, float* p) {
   BLYSK_EACH_PART hn::BlendedStore(a.part[i], m.part[i], FloatTag(), p + i * kPartLanes);
