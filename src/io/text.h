@@ -20,6 +20,7 @@ class TextCursor {
 
   [[nodiscard]] bool at_end() const { return at_ == end_; }
   [[nodiscard]] std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
+  [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
 
   void skip_space() {
     while (at_ != end_ && is_space(*at_)) ++at_;

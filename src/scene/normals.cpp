@@ -79,6 +79,7 @@ struct Part {
   Array<Vec3f> sums;
 
   void add_up(const Surface& surface) {
+    if (begin == end) return;
     for (std::size_t corner = 3 * begin; corner < 3 * end; ++corner) {
       first_place = std::min(first_place, surface.place(corner));
       last_place = std::max(last_place, surface.place(corner));
