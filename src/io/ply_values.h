@@ -66,7 +66,9 @@ class BinaryPlyValues {
   /// False at the end of the file.
   [[nodiscard]] bool next(PlyType type, double& value) {
     if (left() < size_of(type)) return false;
-    value = with_type(type, [&](auto t) -> double { return load<decltype(t), kSwap>(bytes_.data() + at_); });
+    value = with_type(type, [&](auto t) -> double {
+      return static_cast<double>(load<decltype(t), kSwap>(bytes_.data() + at_));
+    });
     at_ += size_of(type);
     return true;
   }

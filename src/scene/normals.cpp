@@ -27,8 +27,8 @@ constexpr std::size_t kMostFaces =
     512;  // at a place; beyond it faces keep their own normals, lest time be squared
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-// A unit vector, or zero where there is none.
-Vec3f unit_or_zero(Vec3f v) { return normalize(v, Vec3f{0, 0, 0}); }
+// A unit vector, or zero where there is none. In double, where squares of floats neither overflow nor vanish.
+Vec3f unit_or_zero(Vec3f v) { return to_float(normalize(to_double(v), Vec3d{0, 0, 0})); }
 
 bool is_zero(Vec3f v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
@@ -220,7 +220,8 @@ class Splitter {
     for (std::size_t j = 0; j < faces_.size(); ++j) {
       if (j == i || dot(units_[i], units_[j]) >= cosine_crease_) sum = sum + faces_[j];
     }
-    return normalize(sum, units_[i]);
+    const Vec3f unit = unit_or_zero(sum);
+    return is_zero(unit) ? units_[i] : unit;
   }
 
   // The first normal of a vertex stays with it; further ones get a copy of it.
