@@ -150,6 +150,7 @@ class OffReader {
   }
 
   Status read_faces() {
+    if (face_count_ == 0) scene_.problems.push_back(std::to_string(vertex_count_) + " points without faces");
     Faces faces;
     faces.sizes.reserve(face_count_);
     float largest = 0;

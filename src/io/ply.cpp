@@ -280,6 +280,9 @@ class PlyReader {
   }
 
   Result<Scene> finish() {
+    if (mesh_.indices.empty() && faces_.sizes.empty()) {
+      scene_.problems.push_back(std::to_string(mesh_.positions.size()) + " points without faces");
+    }
     if (!mesh_.indices.empty() && faces_.sizes.empty()) {
       drop_bad_triangles(mesh_, scene_.problems);
     } else {
