@@ -57,7 +57,7 @@ class OffReader {
   Status read_header() {
     TextCursor before = text_;
     std::string_view word = next();
-    if (!word.empty() && word[0] >= '0' && word[0] <= '9') {
+    if (long long count = 0; parse_number(word, count)) {
       text_ = before;
       return Done{};
     }
