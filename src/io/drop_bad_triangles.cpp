@@ -36,7 +36,7 @@ Counts keep_good(Mesh& mesh, Array<std::uint32_t>& used) {
     if (verdict != Verdict::good) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t vertex = mesh.indices[i + k];
-      mesh.indices[kept + k] = vertex;
+      if (kept != i) mesh.indices[kept + k] = vertex;
       used[vertex] = 0;
     }
     kept += 3;

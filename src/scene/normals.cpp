@@ -54,9 +54,9 @@ struct Surface {
   Surface(const Mesh& m, ThreadPool& pool)
       : mesh(m), place_count(m.positions.size()), scale(scale_of(m.positions)) {
     const PackedPoints points{reinterpret_cast<const std::byte*>(m.positions.data()), m.positions.size()};
-    Welded welded = weld(points, pool);
-    if (welded.positions.size() == place_count) return;
-    place_count = welded.positions.size();
+    WeldedIds welded = weld_ids(points, pool);
+    if (welded.count == place_count) return;
+    place_count = welded.count;
     places = std::move(welded.ids);
   }
 
@@ -155,19 +155,19 @@ class Splitter {
         normals_(normals),
         cosine_crease_(static_cast<float>(cosine(radians(crease_deg)))) {}
 
-  // Vertices to copy, in the order of their new indices, and the normals of these copies.
-  Array<std::uint32_t> copies;
-  Array<Vec3f> copy_normals;
-
-  // The triangles with their new corners.
-  Array<std::uint32_t> indices;
-
   void run(const Array<std::uint8_t>& marks) {
-    indices = mesh_.indices;
     collect_corners(marks);
     for (std::size_t i = 0; i + 1 < starts_.size(); ++i) {
       split_place({corners_.data() + starts_[i], corners_.data() + starts_[i + 1]});
     }
+    // Only now: until here the triangles are looked at as they were.
+    for (const Change& change : changes_) mesh_.indices[change.corner] = change.index;
+    append_copies(mesh_.positions);
+    append_copies(mesh_.colors);
+    append_copies(mesh_.texcoords);
+    append_copies(mesh_.texcoords1);
+    append_copies(mesh_.tangents);
+    mesh_.normals.insert(mesh_.normals.end(), copy_normals_.begin(), copy_normals_.end());
   }
 
  private:
@@ -176,26 +176,30 @@ class Splitter {
     Vec3f normal;
     std::uint32_t index;
   };
+  struct Change {
+    std::uint32_t corner, index;
+  };
 
   // The corners of each marked place, ascending.
   void collect_corners(const Array<std::uint8_t>& marks) {
-    Array<std::uint32_t> compact;  // marked places, counted
-    compact.resize(marks.size());
-    std::uint32_t marked = 0;
-    for (std::size_t place = 0; place < marks.size(); ++place)
-      compact[place] = marks[place] != 0 ? marked++ : kNone;
-    starts_.assign(std::size_t{marked} + 2, 0);
-    const std::size_t corner_count = mesh_.indices.size();
-    for (std::size_t corner = 0; corner < corner_count; ++corner) {
-      const std::uint32_t i = compact[surface_.place(corner)];
-      if (i != kNone) ++starts_[i + 2];
+    Array<std::uint32_t> marked;
+    for (std::size_t corner = 0; corner < mesh_.indices.size(); ++corner) {
+      if (marks[surface_.place(corner)] != 0) marked.push_back(static_cast<std::uint32_t>(corner));
     }
+    Array<std::uint32_t> numbers;  // of marked places
+    numbers.resize(marks.size());
+    std::uint32_t places = 0;
+    for (std::size_t place = 0; place < marks.size(); ++place) {
+      numbers[place] = places;
+      places += marks[place];
+    }
+    // starts_[i + 1] is first the count, then the start, then the end of place i.
+    starts_.assign(std::size_t{places} + 2, 0);
+    for (const std::uint32_t corner : marked) ++starts_[numbers[surface_.place(corner)] + 2];
     for (std::size_t i = 2; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-    corners_.resize(starts_.back());
-    for (std::size_t corner = 0; corner < corner_count; ++corner) {
-      const std::uint32_t i = compact[surface_.place(corner)];
-      if (i != kNone) corners_[starts_[i + 1]++] = static_cast<std::uint32_t>(corner);
-    }
+    corners_.resize(marked.size());
+    for (const std::uint32_t corner : marked)
+      corners_[starts_[numbers[surface_.place(corner)] + 1]++] = corner;
     starts_.pop_back();
   }
 
@@ -233,20 +237,32 @@ class Splitter {
       if (given_[g].vertex != vertex) continue;
       seen = true;
       if (given_[g].normal == normal) {
-        indices[corner] = given_[g].index;
+        change(corner, given_[g].index);
         return;
       }
     }
     std::uint32_t index = vertex;
     if (seen || first > 0) {
-      index = static_cast<std::uint32_t>(mesh_.positions.size() + copies.size());
-      copies.push_back(vertex);
-      copy_normals.push_back(normal);
+      index = static_cast<std::uint32_t>(mesh_.positions.size() + copies_.size());
+      copies_.push_back(vertex);
+      copy_normals_.push_back(normal);
     } else {
       mesh_.normals[vertex] = normal;
     }
     given_.push_back({vertex, normal, index});
-    indices[corner] = index;
+    change(corner, index);
+  }
+
+  void change(std::uint32_t corner, std::uint32_t index) {
+    if (mesh_.indices[corner] != index) changes_.push_back({corner, index});
+  }
+
+  template <class T>
+  void append_copies(Array<T>& values) const {
+    if (values.empty()) return;
+    const std::size_t before = values.size();
+    values.resize(before + copies_.size());
+    for (std::size_t i = 0; i < copies_.size(); ++i) values[before + i] = values[copies_[i]];
   }
 
   Mesh& mesh_;
@@ -257,29 +273,16 @@ class Splitter {
   Array<std::uint32_t> corners_;
   std::vector<Vec3f> faces_, units_;
   std::vector<Given> given_;
+  std::vector<Change> changes_;
+  Array<std::uint32_t> copies_;  // vertices to copy, in the order of their new indices
+  Array<Vec3f> copy_normals_;
 };
-
-template <class T>
-void append_copies(Array<T>& values, const Array<std::uint32_t>& copies) {
-  if (values.empty()) return;
-  const std::size_t before = values.size();
-  values.resize(before + copies.size());
-  for (std::size_t i = 0; i < copies.size(); ++i) values[before + i] = values[copies[i]];
-}
 
 void split_creases(Mesh& mesh, const Surface& surface, const Array<Vec3f>& normals, double crease_deg,
                    ThreadPool& pool) {
   const Array<std::uint8_t> marks = find_creases(surface, normals, crease_deg, pool);
   if (std::find(marks.begin(), marks.end(), std::uint8_t{1}) == marks.end()) return;
-  Splitter splitter(mesh, surface, normals, crease_deg);
-  splitter.run(marks);
-  mesh.indices = std::move(splitter.indices);
-  append_copies(mesh.positions, splitter.copies);
-  append_copies(mesh.colors, splitter.copies);
-  append_copies(mesh.texcoords, splitter.copies);
-  append_copies(mesh.texcoords1, splitter.copies);
-  append_copies(mesh.tangents, splitter.copies);
-  mesh.normals.insert(mesh.normals.end(), splitter.copy_normals.begin(), splitter.copy_normals.end());
+  Splitter(mesh, surface, normals, crease_deg).run(marks);
 }
 
 }  // namespace

@@ -24,6 +24,11 @@ Vec3f load_point(const std::byte* at) {
   return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f};  // -0 + 0 is 0
 }
 
+Vec3f load_point(const PackedPoints& points, std::size_t i) {
+  return load_point(points.first + i / points.points_per_group * points.stride +
+                    i % points.points_per_group * sizeof(Vec3f));
+}
+
 // Equal bits, so that a NaN finds itself.
 bool same(const Vec3f& a, const Vec3f& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
@@ -163,74 +168,87 @@ std::uint32_t number(std::vector<Chunk>& chunks) {
   return next;
 }
 
-void finish_chunk(const PackedPoints& points, const Chunk& chunk, Welded& welded) {
-  const Array<Vec3f>& local = chunk.table.points();
-  if (chunk.begin == 0) {
-    std::copy(local.begin(), local.end(), welded.positions.begin());
-    return;
-  }
-  for (std::size_t i = 0; i < local.size(); ++i) {
-    if (chunk.earlier_chunk[i] == kEmpty) welded.positions[chunk.final_ids[i]] = local[i];
-  }
-  std::uint32_t* id = welded.ids.data() + chunk.begin * points.points_per_group;
-  std::uint32_t* end = welded.ids.data() + chunk.end * points.points_per_group;
+void finish_ids(const PackedPoints& points, const Chunk& chunk, Array<std::uint32_t>& ids) {
+  if (chunk.begin == 0) return;  // the first chunk's ids are final
+  std::uint32_t* id = ids.data() + chunk.begin * points.points_per_group;
+  std::uint32_t* end = ids.data() + chunk.end * points.points_per_group;
   for (; id != end; ++id) *id = chunk.final_ids[*id];
 }
 
+void copy_positions(const Chunk& chunk, Array<Vec3f>& positions) {
+  const Array<Vec3f>& local = chunk.table.points();
+  for (std::size_t i = 0; i < local.size(); ++i) {
+    if (chunk.earlier_chunk[i] == kEmpty) positions[chunk.final_ids[i]] = local[i];
+  }
+}
+
 // For points whose hashes somebody made collide.
-Welded weld_by_sorting(const PackedPoints& points) {
-  const auto at = [&](std::uint32_t i) {
-    return load_point(points.first + i / points.points_per_group * points.stride +
-                      i % points.points_per_group * sizeof(Vec3f));
-  };
+WeldedIds weld_by_sorting(const PackedPoints& points) {
   Array<std::uint32_t> order;
   order.resize(points.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const Vec3f p = at(a), q = at(b);
+    const Vec3f p = load_point(points, a), q = load_point(points, b);
     const int difference = std::memcmp(&p, &q, sizeof p);
     return difference != 0 ? difference < 0 : a < b;
   });
-  Welded welded;
+  WeldedIds welded;
   welded.ids.resize(points.size());
   // First the first of the equals, in its own place; then the ids in the order of the points.
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool repeats = i > 0 && same(at(order[i]), at(order[i - 1]));
+    const bool repeats = i > 0 && same(load_point(points, order[i]), load_point(points, order[i - 1]));
     welded.ids[order[i]] = repeats ? welded.ids[order[i - 1]] : order[i];
   }
   for (std::uint32_t i = 0; i < order.size(); ++i) {
-    if (welded.ids[i] == i) {
-      welded.ids[i] = static_cast<std::uint32_t>(welded.positions.size());
-      welded.positions.push_back(at(i));
-    } else {
-      welded.ids[i] = welded.ids[welded.ids[i]];
-    }
+    const bool first = welded.ids[i] == i;
+    welded.ids[i] = first ? static_cast<std::uint32_t>(welded.count++) : welded.ids[welded.ids[i]];
   }
   return welded;
 }
 
-}  // namespace
+// The chunks with all that is known when their points are welded; no chunks where hashing was defeated.
+struct Weld {
+  std::vector<Chunk> chunks;
+  WeldedIds welded;
+};
 
-Welded weld(const PackedPoints& points, ThreadPool& pool) {
+Weld weld_chunks(const PackedPoints& points, ThreadPool& pool) {
   const std::size_t count = std::clamp<std::size_t>(points.size() / kPointsPerChunk, 1,
                                                     std::min<std::size_t>(pool.size(), kMostChunks));
-  std::vector<Chunk> chunks;
-  chunks.reserve(count);
+  Weld weld;
+  std::vector<Chunk>& chunks = weld.chunks;
   for (std::size_t c = 0; c < count; ++c) {
     const std::size_t begin = points.groups * c / count, end = points.groups * (c + 1) / count;
     chunks.emplace_back(begin, end, (end - begin) * points.points_per_group);
   }
-
-  Welded welded;
-  welded.ids.resize(points.size());
-  pool.for_each(count, [&](int, std::size_t c) { weld_chunk(points, chunks[c], welded.ids.data()); });
+  Array<std::uint32_t>& ids = weld.welded.ids;
+  ids.resize(points.size());
+  pool.for_each(count, [&](int, std::size_t c) { weld_chunk(points, chunks[c], ids.data()); });
   if (std::any_of(chunks.begin(), chunks.end(), [](const Chunk& c) { return c.table.defeated(); })) {
-    return weld_by_sorting(points);
+    return {{}, weld_by_sorting(points)};
   }
   pool.for_each(count, [&](int, std::size_t c) { find_earlier(chunks, c); });
-  welded.positions.resize(number(chunks));
-  pool.for_each(count, [&](int, std::size_t c) { finish_chunk(points, chunks[c], welded); });
-  return welded;
+  weld.welded.count = number(chunks);
+  pool.for_each(count, [&](int, std::size_t c) { finish_ids(points, chunks[c], ids); });
+  return weld;
+}
+
+}  // namespace
+
+WeldedIds weld_ids(const PackedPoints& points, ThreadPool& pool) { return weld_chunks(points, pool).welded; }
+
+Welded weld(const PackedPoints& points, ThreadPool& pool) {
+  Weld weld = weld_chunks(points, pool);
+  Welded result;
+  result.positions.resize(weld.welded.count);
+  pool.for_each(weld.chunks.size(),
+                [&](int, std::size_t c) { copy_positions(weld.chunks[c], result.positions); });
+  result.ids = std::move(weld.welded.ids);
+  if (weld.chunks.empty()) {
+    for (std::size_t i = 0; i < result.ids.size(); ++i)
+      result.positions[result.ids[i]] = load_point(points, i);
+  }
+  return result;
 }
 
 }  // namespace blysk

@@ -32,4 +32,12 @@ struct Welded {
 /// the points so that they collide.
 [[nodiscard]] Welded weld(const PackedPoints& points, ThreadPool& pool);
 
+struct WeldedIds {
+  Array<std::uint32_t> ids;
+  std::size_t count = 0;  ///< of distinct points
+};
+
+/// The same for callers who want to know no more than which points are equal.
+[[nodiscard]] WeldedIds weld_ids(const PackedPoints& points, ThreadPool& pool);
+
 }  // namespace blysk
