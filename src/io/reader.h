@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "blysk/model.h"
 #include "blysk/result.h"
@@ -33,6 +35,14 @@ struct Source {
 [[nodiscard]] Result<Scene> read_off(const Source& source);
 [[nodiscard]] Result<Scene> read_gltf(const Source& source);  // .gltf and .glb
 
+/// ErrorCode::limit where the caller's limits do not allow so much; asked before memory is taken.
+[[nodiscard]] Status check_limits(const Source& source, std::uint64_t triangles, std::uint64_t bytes);
+
+/// "NAME: message", ErrorCode::input.
+[[nodiscard]] Error broken(const Source& source, std::string message);
+/// "NAME:LINE: message" with the line that `offset` lies in.
+[[nodiscard]] Error broken_at(const Source& source, std::size_t offset, std::string message);
+
 /// Bytes of a file, mapped where possible; lives as long as the object.
 class FileBytes {
  public:
@@ -48,11 +58,12 @@ class FileBytes {
 
  private:
   std::span<const std::byte> bytes_;
-  bool mapped_ = false;
+  std::size_t mapped_ = 0;  // length of the mapping that begins at bytes_.data()
 };
 
-/// Removes triangles with an index out of range, a repeated or coinciding corner, or a corner that is not finite, and
-/// says so in `problems` ("mesh NAME: left out 12 degenerate and 1 non-finite triangles").
+/// Removes triangles with an index out of range, a repeated or coinciding corner, or a corner that is not
+/// finite, and says so in `problems` ("mesh NAME: left out 12 degenerate and 1 non-finite triangles").
+/// Removes the vertices that no triangle uses, so that a stray point cannot push a model out of its frame.
 void drop_bad_triangles(Mesh& mesh, std::vector<std::string>& problems);
 
 }  // namespace blysk::io

@@ -1,0 +1,166 @@
+// STL, binary and ASCII. Corners at the same position become one vertex; faces stay flat.
+#include <string>
+#include <utility>
+
+#include "core/threads.h"
+#include "io/faces.h"
+#include "io/polygon.h"
+#include "io/reader.h"
+#include "io/stl_layout.h"
+#include "io/text.h"
+#include "scene/weld.h"
+
+namespace blysk::io {
+namespace {
+
+constexpr std::size_t kPointsWorthThreads = 60000;
+
+// Memory of a mesh of n triangles, welded: indices, and at worst every corner a vertex and a slot of the
+// table.
+std::uint64_t memory_for(std::uint64_t triangles) { return triangles * 3 * (4 + 12 + 12 + 32); }
+
+Mesh weld_corners(const PackedPoints& corners, int threads) {
+  ThreadPool pool(corners.size() < kPointsWorthThreads ? 1 : threads);
+  Welded welded = weld(corners, pool);
+  Mesh mesh;
+  mesh.positions = std::move(welded.positions);
+  mesh.indices = std::move(welded.ids);
+  return mesh;
+}
+
+Result<Scene> read_binary(const Source& source) {
+  const std::span<const std::byte> bytes = source.bytes;
+  if (bytes.size() < kStlHeader)
+    return broken(source, "is cut short: a binary STL has 84 bytes before its triangles");
+  const std::uint64_t count = stl_count(bytes), held = (bytes.size() - kStlHeader) / kStlTriangle;
+  if (count > held) {
+    return broken(source, "is cut short: it announces " + std::to_string(count) + " triangles and holds " +
+                              std::to_string(held));
+  }
+  if (Status s = check_limits(source, count, memory_for(count)); !s) return s.error();
+
+  Scene scene;
+  if (bytes.size() != kStlHeader + kStlTriangle * count) {
+    scene.problems.push_back("ignored " + std::to_string(bytes.size() - kStlHeader - kStlTriangle * count) +
+                             " bytes after the last of " + std::to_string(count) + " triangles");
+  }
+  const PackedPoints corners{bytes.data() + kStlHeader + sizeof(Vec3f), count, 3, kStlTriangle};
+  Mesh mesh = weld_corners(corners, source.options.threads);
+  drop_bad_triangles(mesh, scene.problems);
+  add_mesh(scene, std::move(mesh));
+  return scene;
+}
+
+// Facets of the ASCII form. Its words may stand on any lines; only names end where their line does.
+class AsciiStl {
+ public:
+  explicit AsciiStl(const Source& source) : source_(source), text_(source.text()) {}
+
+  Result<Scene> read() {
+    while (!text_.at_end()) {
+      text_.skip_space();
+      word_start_ = text_.offset();
+      const std::string_view word = text_.word();
+      if (word.empty()) break;
+      if (Status s = read_word(word); !s) return s.error();
+    }
+    if (in_facet_) return fail("is cut short: it ends in a facet");
+    if (in_solid_) scene_.problems.push_back("no endsolid at the end: the file may be cut short");
+    if (Status s = end_solid(); !s) return s.error();
+    return std::move(scene_);
+  }
+
+ private:
+  Error fail(std::string message) const { return broken_at(source_, word_start_, std::move(message)); }
+
+  Status read_word(std::string_view word) {
+    if (word == "vertex") return read_vertex();
+    if (word == "facet") {
+      in_facet_ = true;
+      polygon_.clear();
+      text_.word();  // "normal"; it follows from the corners
+      for (int i = 0; i < 3; ++i) text_.word();
+    } else if (word == "outer") {
+      text_.word();  // "loop"
+    } else if (word == "endloop") {
+      return end_loop();
+    } else if (word == "endfacet") {
+      in_facet_ = false;
+    } else if (word == "solid") {
+      if (Status s = end_solid(); !s) return s;
+      in_solid_ = true;
+      text_.skip_blanks();
+      name_ = std::string(text_.line());
+    } else if (word == "endsolid") {
+      text_.skip_blanks();
+      text_.line();
+      in_solid_ = false;
+      return end_solid();
+    } else {
+      return fail("has a word that is not of STL where a facet or a vertex should stand");
+    }
+    return Done{};
+  }
+
+  Status read_vertex() {
+    Vec3f p;
+    if (!text_.number(p.x) || !text_.number(p.y) || !text_.number(p.z)) {
+      return fail("a vertex needs three numbers");
+    }
+    polygon_.push_back(p);
+    return Done{};
+  }
+
+  Status end_loop() {
+    if (polygon_.size() < 3) return fail("a facet needs three vertices");
+    local_.clear();
+    triangulate({polygon_.data(), polygon_.size()}, local_);
+    for (const std::uint32_t corner : local_) corners_.push_back(polygon_[corner]);
+    polygon_.clear();
+    return Done{};
+  }
+
+  Status end_solid() {
+    const std::uint64_t triangles = corners_.size() / 3;
+    triangles_ += triangles;
+    if (Status s = check_limits(source_, triangles_, memory_for(triangles_)); !s) return s;
+    if (triangles == 0) return Done{};
+    const PackedPoints corners{reinterpret_cast<const std::byte*>(corners_.data()), corners_.size()};
+    Mesh mesh = weld_corners(corners, source_.options.threads);
+    mesh.name = name_;
+    drop_bad_triangles(mesh, scene_.problems);
+    add_mesh(scene_, std::move(mesh));
+    corners_.clear();
+    name_.clear();
+    return Done{};
+  }
+
+  const Source& source_;
+  TextCursor text_;
+  std::size_t word_start_ = 0;
+  bool in_solid_ = false, in_facet_ = false;
+  std::string name_;
+  Array<Vec3f> polygon_, corners_;
+  Array<std::uint32_t> local_;
+  std::uint64_t triangles_ = 0;
+  Scene scene_;
+};
+
+// Headers of binary files begin with "solid" too; only text has a facet or the end right after its first
+// line.
+bool is_ascii(const Source& source) {
+  if (has_stl_size(source.bytes)) return false;
+  TextCursor text(source.text());
+  if (text.word() != "solid") return false;
+  text.line();
+  const std::string_view word = text.word();
+  return word.empty() || word == "facet" || word == "endsolid" || word == "solid";
+}
+
+}  // namespace
+
+Result<Scene> read_stl(const Source& source) {
+  return is_ascii(source) ? AsciiStl(source).read() : read_binary(source);
+}
+
+}  // namespace blysk::io
