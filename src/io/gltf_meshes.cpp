@@ -164,12 +164,16 @@ Mesh Meshes::build(const Primitive& primitive) {
   if (context_.failed() || mesh.indices.empty()) return mesh;
 
   // Exporters keep many primitives in one set of vertices; each takes the range that it uses.
-  const auto [low, high] = std::minmax_element(mesh.indices.begin(), mesh.indices.end());
-  const std::uint32_t first = *low, last = *high;
+  std::uint32_t first = mesh.indices[0], last = first;
+  for (const std::uint32_t i : mesh.indices) {
+    first = std::min(first, i);
+    last = std::max(last, i);
+  }
   const std::uint64_t vertices = accessors_[primitive.geometry.position].count;
   if (last >= vertices) {
-    context_.fail(primitive.json, "index " + std::to_string(last) + " is beyond its " +
-                                      std::to_string(vertices) + " vertices");
+    const Json indices = primitive.json["indices"];
+    context_.fail(indices ? indices : primitive.json, "index " + std::to_string(last) + " is beyond the " +
+                                                          std::to_string(vertices) + " vertices");
     return mesh;
   }
   if (first > 0) {
