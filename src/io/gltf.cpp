@@ -16,6 +16,7 @@
 #include "io/gltf_materials.h"
 #include "io/gltf_meshes.h"
 #include "io/gltf_nodes.h"
+#include "io/gltf_skins.h"
 #include "io/json.h"
 #include "io/reader.h"
 
@@ -155,7 +156,7 @@ void add_instances(Context& context, gltf::Meshes& meshes, const std::vector<glt
       }
       instance.material =
           primitive.material == gltf::kNone ? *default_index : static_cast<std::uint32_t>(primitive.material);
-      instance.transform = placement.world;
+      instance.transform = placement.mesh_to_world;
       const std::string_view name = placement.json["name"].text();
       instance.name = name.empty() ? primitive.name : std::string(name);
       scene.instances.push_back(std::move(instance));
@@ -174,7 +175,9 @@ Result<Scene> read_document(const Source& source, Json root, std::span<const std
   gltf::Meshes meshes(context, root, accessors);
   const gltf::NodeTargets targets{meshes.size(), context.list(root, "cameras").size(),
                                   gltf::light_list(context, root).size()};
-  const std::vector<gltf::Placement> placements = gltf::place_nodes(context, root, targets);
+  gltf::NodePlaces places = gltf::place_nodes(context, root, targets);
+  gltf::place_skinned_meshes(context, root, accessors, places);
+  const std::vector<gltf::Placement>& placements = places.placements;
   gltf::read_materials(context, root, buffers, scene);
   if (!context.failed()) check_size(context, meshes, placements);
   if (!context.failed()) add_instances(context, meshes, placements, scene);

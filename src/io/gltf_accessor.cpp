@@ -210,33 +210,35 @@ template <class Out>
 void Accessors::copy(const Accessor& accessor, const Target<Out>& target, bool normalized) {
   // Sparse elements are gone through whole for every range, and ranges may share them.
   if (!context_.allow(accessor.sparse_count, accessor.json)) return;
-  const auto [base, at, values] = parts(accessor);
+  const Parts from = parts(accessor);
   if (context_.failed()) return;
   const int n = components(accessor.elements.shape);
   const auto step = static_cast<std::size_t>(target.step);
 
   with_type(accessor.elements.component, [&]<class T>(T) {
-    if (base.first == nullptr) {
+    if (from.base.first == nullptr) {
       for (std::size_t i = 0; i < target.count; ++i) std::fill_n(target.to + i * step, n, Out{});
-    } else if (std::is_same_v<T, Out> && n == target.step && base.stride == sizeof(Out) * step) {
-      std::memcpy(target.to, base.first + target.first * base.stride, target.count * base.stride);
+    } else if (std::is_same_v<T, Out> && n == target.step && from.base.stride == sizeof(Out) * step) {
+      std::memcpy(target.to, from.base.first + target.first * from.base.stride,
+                  target.count * from.base.stride);
     } else {
-      const std::byte* from = base.first + target.first * base.stride;
+      const std::byte* row = from.base.first + target.first * from.base.stride;
       for (std::size_t i = 0; i < target.count; ++i) {
-        convert_element<T>(from + i * base.stride, target.to + i * step, n, normalized);
+        convert_element<T>(row + i * from.base.stride, target.to + i * step, n, normalized);
       }
     }
     with_type(accessor.sparse_indices.component, [&]<class I>(I) {
       for (std::uint64_t k = 0; k < accessor.sparse_count; ++k) {
-        const auto element = static_cast<std::uint64_t>(load<I>(at.first + k * at.stride));
+        const auto element =
+            static_cast<std::uint64_t>(load<I>(from.sparse_indices.first + k * from.sparse_indices.stride));
         if (element >= accessor.count) {
           return context_.fail(accessor.json["sparse"]["indices"],
                                "index " + std::to_string(element) + " is beyond the accessor's " +
                                    std::to_string(accessor.count) + " elements");
         }
         if (element < target.first || element - target.first >= target.count) continue;
-        convert_element<T>(values.first + k * values.stride, target.to + (element - target.first) * step, n,
-                           normalized);
+        convert_element<T>(from.sparse_values.first + k * from.sparse_values.stride,
+                           target.to + (element - target.first) * step, n, normalized);
       }
     });
   });

@@ -32,18 +32,19 @@ Array<std::uint32_t> to_triangles(Mode mode, const Array<std::uint32_t>& corners
   return triangles;
 }
 
-constexpr float kUnitTolerance = 1e-6f;  // of the squared length: what rounding to float leaves
+// In double precision, where the squares of the smallest and largest floats are in range.
+Vec3f to_unit(Vec3f v, Vec3d fallback) {
+  constexpr float kTolerance = 1e-6f;  // of the squared length: what rounding to float leaves
+  return std::abs(dot(v, v) - 1.0f) <= kTolerance ? v : to_float(normalize(to_double(v), fallback));
+}
 
 void mend_normals(Array<Vec3f>& normals) {
-  for (Vec3f& n : normals) {
-    if (!(std::abs(dot(n, n) - 1.0f) <= kUnitTolerance)) n = normalize(n);
-  }
+  for (Vec3f& n : normals) n = to_unit(n, {0, 0, 1});
 }
 
 void mend_tangents(Array<Vec4f>& tangents) {
   for (Vec4f& t : tangents) {
-    Vec3f axis{t.x, t.y, t.z};
-    if (!(std::abs(dot(axis, axis) - 1.0f) <= kUnitTolerance)) axis = normalize(axis, {1, 0, 0});
+    const Vec3f axis = to_unit({t.x, t.y, t.z}, {1, 0, 0});
     t = {axis.x, axis.y, axis.z, t.w < 0 ? -1.0f : 1.0f};
   }
 }

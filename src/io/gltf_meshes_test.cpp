@@ -97,6 +97,16 @@ TEST(gltf_meshes, all_attributes) {
   EXPECT_EQ(mesh.colors, (Array<Vec4f>{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 0.2f, 1}}));
 }
 
+TEST(gltf_meshes, normals_of_any_length) {
+  Document d = triangle();
+  d.array<float>("VEC3", 3, {0, 1e-44f, 0, -3e38f, 0, 0, kNaN, 0, 0});
+  d.primitive(R"("attributes":{"POSITION":0,"NORMAL":2})");
+  const Mesh mesh = mesh_of(d);
+  ASSERT_EQ(mesh.normals.size(), 3u);
+  EXPECT_EQ(mesh.normals[0], (Vec3f{0, 1, 0}));
+  for (const Vec3f& n : mesh.normals) EXPECT_NEAR(length(n), 1, 1e-6f);
+}
+
 TEST(gltf_meshes, colors_are_clamped) {
   Document d = triangle();
   d.array<float>("VEC4", 4, {2, -1, kNaN, 0.5f, kInfinity, 0, 0, 1, 0, 0, 0, 7});

@@ -13,7 +13,6 @@ struct Node {
   Json json;
   int parent = kNone;
   std::vector<int> children;
-  bool placed = false;
 };
 
 std::string node_name(int index) { return "nodes[" + std::to_string(index) + "]"; }
@@ -88,15 +87,6 @@ Mat4 local_transform(Context& context, Json node) {
          scaling({s[0], s[1], s[2]});
 }
 
-bool usable(const Mat4& matrix) {
-  for (const auto& row : matrix.m) {
-    for (const double element : row) {
-      if (!(std::abs(element) <= kMaxElement)) return false;
-    }
-  }
-  return true;
-}
-
 std::vector<int> scene_roots(Context& context, Json root, const std::vector<Node>& nodes) {
   std::vector<int> roots;
   const std::vector<Json> scenes = context.list(root, "scenes");
@@ -126,10 +116,20 @@ Placement read_placement(Context& context, Json node, const NodeTargets& targets
 
 }  // namespace
 
-std::vector<Placement> place_nodes(Context& context, Json root, const NodeTargets& targets) {
-  std::vector<Placement> placements;
-  if (context.failed()) return placements;
-  std::vector<Node> nodes = read_nodes(context, root);
+bool usable(const Mat4& matrix) {
+  for (const auto& row : matrix.m) {
+    for (const double element : row) {
+      if (!(std::abs(element) <= kMaxElement)) return false;
+    }
+  }
+  return true;
+}
+
+NodePlaces place_nodes(Context& context, Json root, const NodeTargets& targets) {
+  NodePlaces places;
+  if (context.failed()) return places;
+  const std::vector<Node> nodes = read_nodes(context, root);
+  places.worlds.resize(nodes.size());
   const std::vector<int> roots = scene_roots(context, root, nodes);
 
   struct Waiting {
@@ -141,8 +141,9 @@ std::vector<Placement> place_nodes(Context& context, Json root, const NodeTarget
   while (!stack.empty() && !context.failed()) {
     const Waiting next = stack.back();
     stack.pop_back();
-    Node& node = nodes[static_cast<std::size_t>(next.node)];
-    if (node.placed) {
+    const Node& node = nodes[static_cast<std::size_t>(next.node)];
+    std::optional<Mat4>& world = places.worlds[static_cast<std::size_t>(next.node)];
+    if (world) {
       context.fail(node.json, "the scene lists the node twice, or beside one of its ancestors");
       break;
     }
@@ -151,21 +152,20 @@ std::vector<Placement> place_nodes(Context& context, Json root, const NodeTarget
                    "stands more than " + std::to_string(kMaxDepth) + " nodes deep; flatten the hierarchy");
       break;
     }
-    node.placed = true;
     Placement placement = read_placement(context, node.json, targets);
-    placement.world = next.parent * local_transform(context, node.json);
-    if (!usable(placement.world)) {
+    world = placement.world = placement.mesh_to_world = next.parent * local_transform(context, node.json);
+    if (!usable(*world)) {
       context.fail(node.json, "its transform is not finite, or has elements beyond 1e30");
       break;
     }
     for (auto i = node.children.rbegin(); i != node.children.rend(); ++i) {
-      stack.push_back({*i, next.depth + 1, placement.world});
+      stack.push_back({*i, next.depth + 1, *world});
     }
     if (placement.mesh != kNone || placement.camera != kNone || placement.light != kNone) {
-      placements.push_back(placement);
+      places.placements.push_back(placement);
     }
   }
-  return placements;
+  return places;
 }
 
 }  // namespace blysk::io::gltf
