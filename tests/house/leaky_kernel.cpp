@@ -1,4 +1,4 @@
-// What tools/check-kernels must find: code that the whole program would share, and code that runs at start-up.
+// What tools/check-kernels must find: code that the program would share, and code that runs at start-up.
 namespace blysk {
 
 [[gnu::noinline]] inline int shared(int x) { return x * x; }
