@@ -1,5 +1,4 @@
 # cmake --install, and find_package(blysk) for other projects.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(BLYSK_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/blysk)
 
