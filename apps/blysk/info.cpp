@@ -127,10 +127,10 @@ Json to_json(const Scene& scene, const std::string& input) {
           {"problems", scene.problems}};
 }
 
-template <class T>
-std::string vector_text(Vec3<T> v) {
+std::string vector_text(Vec3d v) {
   return rounded_text(v.x) + "," + rounded_text(v.y) + "," + rounded_text(v.z);
 }
+std::string vector_text(Vec3f v) { return vector_text(to_double(v)); }
 
 // What the rows of a section are counted by, then what they say.
 template <class Items, class Row>

@@ -144,7 +144,8 @@ Result<int> run_render(const Arguments& arguments) {
   Progress progress(!quiet);
   Times times;
 
-  progress.phase("reading " + arguments.operands().front());
+  const std::vector<std::string>& models = arguments.operands();
+  progress.phase("reading " + (models.size() == 1 ? models.front() : counted(models.size(), "model")));
   stage.start();
   const Result<Scene> scene = load_models(arguments);
   if (!scene) return scene.error();

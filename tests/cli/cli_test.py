@@ -66,7 +66,7 @@ class Help(CommandTest):
             times.append((time.perf_counter() - start) * 1000)
         self.assertRegex(output.decode(), r"\Ablysk \d+\.\d+\.\d+\n\Z")
         print(f"\nblysk --version: median {statistics.median(times):.1f} ms, Python's start of it included")
-        self.assertLess(statistics.median(times), 50)
+        self.assertLess(statistics.median(times), 500 if os.environ.get("BLYSK_SANITIZE") else 50)
 
     def test_manual_is_clean_roff(self):
         page, _ = self.run_command("man")
