@@ -211,9 +211,13 @@ BLYSK_INLINE void store_masked(Mask m, I32 a, std::uint32_t* p) {
 
 /// Writes the lanes of m one after the other and returns how many; sixteen may be overwritten.
 BLYSK_INLINE int store_compressed(Mask m, I32 a, std::int32_t* p) {
+  // Compressed in a register and stored whole: a masked store could not be read back at once.
   int n = 0;
-  BLYSK_EACH_PART n += static_cast<int>(
-      hn::CompressStore(a.part[i], hn::RebindMask(IntTag(), m.part[i]), IntTag(), p + n));
+  BLYSK_EACH_PART {
+    const auto mask = hn::RebindMask(IntTag(), m.part[i]);
+    hn::StoreU(hn::Compress(a.part[i], mask), IntTag(), p + n);
+    n += static_cast<int>(hn::CountTrue(IntTag(), mask));
+  }
   return n;
 }
 
