@@ -10,7 +10,7 @@ namespace blysk::BLYSK_ISA {
 namespace {
 
 // A triangle whose box holds at most this many pixel centres a side is tested centre by centre here, sixteen triangles at once.
-constexpr int kDotSide = 3;
+constexpr int kDotSide = 4;
 // Under this extent (128 pixels) products of differences fit 32 bits.
 constexpr std::int32_t kSmallExtent = 1 << 15;
 

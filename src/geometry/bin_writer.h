@@ -1,8 +1,6 @@
 // geometry/bin_writer.h - appending to a list, inlined into each instruction set's kernels.
 #pragma once
 
-#include <cstring>
-
 #include "geometry/bins.h"
 #include "simd/lanes.h"
 
@@ -11,7 +9,7 @@ namespace blysk::BLYSK_ISA {
 template <class Entry>
 BLYSK_INLINE void append(ThreadBins& bins, Bin& bin, const Entry& entry) {
   if (__builtin_expect(static_cast<std::size_t>(bin.end - bin.cursor) < sizeof(Entry), 0)) grow_bin(bins, bin);
-  std::memcpy(bin.cursor, &entry, sizeof(Entry));
+  *reinterpret_cast<Entry*>(bin.cursor) = entry;  // an array of bytes makes its objects by itself
   bin.cursor += sizeof(Entry);
 }
 
@@ -19,11 +17,14 @@ BLYSK_INLINE void append(ThreadBins& bins, Bin& bin, const Entry& entry) {
 template <class Entry, class Visit>
 BLYSK_INLINE void for_each_entry(const Bin& bin, Visit visit) {
   for (const BinBlock* block = bin.first; block != nullptr; block = block->next) {
+    if (block->next != nullptr) {
+      // Blocks lie apart: what fetches ahead by itself does not see the next one coming.
+      const auto* next = reinterpret_cast<const std::byte*>(block->next);
+      for (std::size_t line = 0; line < BinBlock::kBytes; line += 64) __builtin_prefetch(next + line);
+    }
     const std::byte* end = block == bin.last ? bin.cursor : block->entries + block->used;
     for (const std::byte* at = block->entries; at != end; at += sizeof(Entry)) {
-      Entry entry;
-      std::memcpy(&entry, at, sizeof(Entry));
-      visit(entry);
+      visit(*reinterpret_cast<const Entry*>(at));
     }
   }
 }
