@@ -180,7 +180,6 @@ class MtlReader {
   void finish(std::map<std::string, MtlMaterial, std::less<>>& materials) {
     if (!name_) return;
     Material& m = now_.material;
-    m.name = *name_;
     // Of d and Tr, which programs write side by side and not always in agreement, d counts.
     m.opacity = std::clamp(opacity_ ? *opacity_ : 1 - transparency_.value_or(0.0f), 0.0f, 1.0f);
     if (m.opacity < 1) m.alpha_mode = AlphaMode::blend;

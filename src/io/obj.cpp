@@ -56,7 +56,7 @@ class MaterialList {
   void add(std::string_view name) {
     const MtlMaterial* known = name.empty() ? nullptr : library_.find(name);
     Material material = known == nullptr ? Material{} : known->material;
-    material.name = std::string(name);
+    material.name = printable(name);
     if (known != nullptr) {
       material.color_texture = texture(known->color_map);
       material.normal_texture = texture(known->normal_map);
@@ -132,14 +132,14 @@ Result<Scene> read_obj(const Source& source) {
   MaterialList materials(library, scene);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     Mesh& mesh = meshes[i];
-    mesh.name = std::string(parts[i].material.empty() ? object : parts[i].material);
+    mesh.name = printable(parts[i].material.empty() ? object : parts[i].material);
     drop_bad_triangles(mesh, scene.problems);
     if (mesh.indices.empty()) continue;
     mend_normals(mesh);
     Instance instance;
     instance.mesh = static_cast<std::uint32_t>(scene.meshes.size());
     instance.material = static_cast<std::uint32_t>(scene.materials.size());
-    instance.name = object.empty() ? mesh.name : std::string(object);
+    instance.name = object.empty() ? mesh.name : printable(object);
     materials.add(parts[i].material);
     scene.meshes.push_back(std::move(mesh));
     scene.instances.push_back(std::move(instance));

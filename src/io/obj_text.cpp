@@ -86,16 +86,20 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+std::string printable(std::string_view text) {
+  std::string shown(text);
+  for (char& c : shown) c = static_cast<unsigned char>(c) < ' ' || c == 0x7f ? '?' : c;
+  return shown;
+}
+
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 60;
   std::size_t length = std::min(text.size(), kLongest);
   // A character of several bytes is not cut in two.
   while (length < text.size() && length > 0 && (text[length] & 0xc0) == 0x80) --length;
-  std::string shown = "'";
-  for (const char c : text.substr(0, length)) {
-    shown += static_cast<unsigned char>(c) < ' ' || c == 0x7f ? '?' : c;
-  }
-  return shown + (length < text.size() ? "...'" : "'");
+  std::string shown(1, '\'');
+  shown += printable(text.substr(0, length));
+  return shown += length < text.size() ? "...'" : "'";
 }
 
 }  // namespace blysk::io

@@ -52,7 +52,9 @@ inline const char* skip_blanks(const char* at) {
 
 /// Without blanks in front and behind.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
-/// `text` for a message: control characters replaced, no longer than a line can bear.
+/// `text` without control characters, which could steer a terminal: question marks stand for them.
+[[nodiscard]] std::string printable(std::string_view text);
+/// The same for a message: in quotes, and no longer than a line can bear.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace blysk::io
