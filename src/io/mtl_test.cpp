@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "math/srgb.h"
+#include "math/srgb_float.h"
 
 namespace blysk::io {
 namespace {

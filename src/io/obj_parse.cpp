@@ -10,7 +10,7 @@
 
 #include "core/threads.h"
 #include "io/decimal.h"
-#include "math/srgb.h"
+#include "math/srgb_float.h"
 
 namespace blysk::io {
 namespace {
@@ -178,14 +178,12 @@ class PieceParser {
     if (*at != '\n' && numbers(at, v + 3, 3) == 3) {
       if (result_.colors.empty())
         result_.colors.assign(positions_.before - first_position_ - 1, {1, 1, 1, 1});
-      result_.colors.push_back({linear(v[3]), linear(v[4]), linear(v[5]), 1});
+      result_.colors.push_back({srgb_to_linear(v[3]), srgb_to_linear(v[4]), srgb_to_linear(v[5]), 1});
     } else if (!result_.colors.empty()) {
       result_.colors.push_back({1, 1, 1, 1});
     }
     return true;
   }
-  static float linear(float code) { return srgb_to_linear(code); }
-
   // vt u [v [w]]
   bool texcoord(const char*& at) {
     float t[2] = {0, 0};
@@ -297,8 +295,9 @@ class PieceParser {
                   in_quotes({start, static_cast<std::size_t>(end - start)}));
     }
     const Referred& list = *bad_reference_;
-    const std::string number = (bad_backwards_ ? "-" : "") + std::to_string(bad_number_);
-    const std::string subject = std::string("a face uses ") + list.what + " " + number + ", but ";
+    std::string subject = "a face uses ";
+    subject +=
+        std::string(list.what) + (bad_backwards_ ? " -" : " ") + std::to_string(bad_number_) + ", but ";
     if (bad_number_ == 0) return fail(subject + "they count from 1 to " + std::to_string(list.total));
     if (bad_backwards_) return fail(subject + "only " + std::to_string(list.before) + " stand before it");
     return fail(subject + "the file has " +
