@@ -116,7 +116,7 @@ TEST(mtl, what_is_left_out_is_told) {
             "'m.mtl': left out 3 statements without the numbers they need, the first in line 5");
   EXPECT_EQ(r.problems[1], "'m.mtl': left out 'map_ks', 'refl', which no material here has");
   std::string text = "newmtl a\n";
-  for (int i = 0; i < 1000; ++i) text += "x" + std::to_string(i) + "\n";
+  for (int i = 0; i < 1000; ++i) text += std::string("x").append(std::to_string(i)) + "\n";
   EXPECT_LT(read(text).problems[0].size(), 150u);
 }
 
