@@ -1,0 +1,306 @@
+#include "io/obj_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+#include <span>
+
+#include "io/polygon.h"
+
+namespace blysk::io {
+namespace {
+
+constexpr std::uint32_t kNone = ObjFile::kNone;
+
+// Numbers combinations of three indices in the order of their first appearance.
+class VertexTable {
+ public:
+  struct Entry {
+    std::uint32_t position, texcoord, normal;
+    std::uint32_t next;  // with the same position
+  };
+
+  explicit VertexTable(std::size_t positions) { heads_.resize(positions, kNone); }
+
+  const Array<Entry>& entries() const { return entries_; }
+
+  std::uint32_t number(std::uint32_t position, std::uint32_t texcoord, std::uint32_t normal) {
+    int steps = 0;
+    std::uint32_t* head = &heads_[position];
+    for (std::uint32_t i = *head; i != kNone && steps < kLongestChain; i = entries_[i].next, ++steps) {
+      if (entries_[i].texcoord == texcoord && entries_[i].normal == normal) return i;
+    }
+    const auto next = static_cast<std::uint32_t>(entries_.size());
+    if (steps == kLongestChain) {
+      const auto [known, is_new] = rest_.try_emplace({position, texcoord, normal}, next);
+      if (is_new) entries_.push_back({position, texcoord, normal, kNone});
+      return known->second;
+    }
+    entries_.push_back({position, texcoord, normal, *head});
+    *head = next;
+    return next;
+  }
+
+  void clear() {
+    for (const Entry& e : entries_) heads_[e.position] = kNone;
+    entries_.clear();
+    rest_.clear();
+  }
+
+ private:
+  // A position rarely has ten combinations; a file made to have a million finds them in the map.
+  static constexpr int kLongestChain = 64;
+
+  Array<std::uint32_t> heads_;
+  Array<Entry> entries_;
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> rest_;
+};
+
+// Calls work(first corner, corners) for every face of a run.
+template <class Work>
+void for_each_face(const ObjFile& file, const ObjRun& run, Work&& work) {
+  std::size_t corner = run.first_corner;
+  for (std::size_t face = run.first_face; face < run.end_face; ++face) {
+    const std::size_t corners = file.face_sizes.empty() ? 3 : file.face_sizes[face];
+    work(corner, corners);
+    corner += corners;
+  }
+}
+
+// Triangles of faces, whose corners are given as vertices of a mesh.
+class Triangulator {
+ public:
+  explicit Triangulator(const Array<Vec3f>& positions, Array<std::uint32_t>& indices)
+      : positions_(positions), indices_(indices) {}
+
+  // `vertices` go into the mesh, `places` tell where the corners are.
+  void add(std::span<const std::uint32_t> vertices, std::span<const std::uint32_t> places) {
+    if (vertices.size() == 3) {
+      indices_.insert(indices_.end(), vertices.begin(), vertices.end());
+      return;
+    }
+    corners_.clear();
+    for (const std::uint32_t place : places) corners_.push_back(positions_[place]);
+    local_.clear();
+    triangulate(corners_, local_);
+    for (const std::uint32_t i : local_) indices_.push_back(vertices[i]);
+  }
+
+ private:
+  const Array<Vec3f>& positions_;
+  Array<std::uint32_t>& indices_;
+  std::vector<Vec3f> corners_;
+  Array<std::uint32_t> local_;
+};
+
+std::size_t index_count(const ObjPart& part) {
+  std::size_t count = 0;
+  for (const ObjRun& run : part.runs) {
+    count += 3 * (run.end_corner - run.first_corner - 2 * (run.end_face - run.first_face));
+  }
+  return count;
+}
+
+// Corners name the same index in a list as among the positions, so that the lists are those of a mesh.
+template <class T>
+bool runs_along(const Array<std::uint32_t>& corners, const Array<T>& list, const ObjFile& file) {
+  return corners.empty() || (list.size() == file.positions.size() && corners == file.corner_positions);
+}
+
+bool is_one_mesh(const ObjFile& file, const std::vector<ObjPart>& parts) {
+  return parts.size() == 1 && runs_along(file.corner_texcoords, file.texcoords, file) &&
+         runs_along(file.corner_normals, file.normals, file);
+}
+
+Mesh take_whole(ObjFile&& file, const ObjPart& part) {
+  Mesh mesh;
+  if (file.face_sizes.empty()) {
+    mesh.indices = std::move(file.corner_positions);
+  } else {
+    mesh.indices.reserve(index_count(part));
+    Triangulator triangulator(file.positions, mesh.indices);
+    for (const ObjRun& run : part.runs) {
+      for_each_face(file, run, [&](std::size_t corner, std::size_t corners) {
+        const std::span<const std::uint32_t> places(file.corner_positions.data() + corner, corners);
+        triangulator.add(places, places);
+      });
+    }
+  }
+  if (!file.corner_texcoords.empty()) mesh.texcoords = std::move(file.texcoords);
+  if (!file.corner_normals.empty()) mesh.normals = std::move(file.normals);
+  mesh.positions = std::move(file.positions);
+  mesh.colors = std::move(file.colors);
+  return mesh;
+}
+
+// The values that the table's vertices refer to; nothing if none refers to any.
+template <class T>
+Array<T> gather(const Array<T>& list, const VertexTable& table, std::uint32_t VertexTable::Entry::*index) {
+  Array<T> values;
+  const auto given = [&](const VertexTable::Entry& e) { return e.*index != kNone; };
+  if (list.empty() || std::none_of(table.entries().begin(), table.entries().end(), given)) return values;
+  values.reserve(table.entries().size());
+  for (const VertexTable::Entry& e : table.entries()) values.push_back(given(e) ? list[e.*index] : T{});
+  return values;
+}
+
+Mesh gather_part(const ObjFile& file, const ObjPart& part, VertexTable& table) {
+  Mesh mesh;
+  mesh.indices.reserve(index_count(part));
+  Triangulator triangulator(file.positions, mesh.indices);
+  std::vector<std::uint32_t> vertices;
+  for (const ObjRun& run : part.runs) {
+    for_each_face(file, run, [&](std::size_t first, std::size_t corners) {
+      vertices.clear();
+      for (std::size_t i = first; i < first + corners; ++i) {
+        vertices.push_back(table.number(file.corner_positions[i],
+                                        file.corner_texcoords.empty() ? kNone : file.corner_texcoords[i],
+                                        file.corner_normals.empty() ? kNone : file.corner_normals[i]));
+      }
+      triangulator.add(vertices, {file.corner_positions.data() + first, corners});
+    });
+  }
+  mesh.positions = gather(file.positions, table, &VertexTable::Entry::position);
+  mesh.colors = gather(file.colors, table, &VertexTable::Entry::position);
+  mesh.texcoords = gather(file.texcoords, table, &VertexTable::Entry::texcoord);
+  mesh.normals = gather(file.normals, table, &VertexTable::Entry::normal);
+  return mesh;
+}
+
+// "off" and 0 are no group; a word that is no number is a group like any other.
+std::uint32_t smoothing_group(std::string_view text) {
+  if (text.empty() || text == "off") return 0;
+  std::uint32_t group = 1;
+  std::from_chars(text.data(), text.data() + text.size(), group);
+  return group;
+}
+
+// Newell's: along the normal, as long as twice the polygon's area.
+Vec3d face_normal(const ObjFile& file, std::size_t first, std::size_t corners) {
+  const auto at = [&](std::size_t i) { return to_double(file.positions[file.corner_positions[first + i]]); };
+  const Vec3d origin = at(0);
+  Vec3d sum;
+  for (std::size_t i = 1; i + 1 < corners; ++i) sum = sum + cross(at(i) - origin, at(i + 1) - origin);
+  const double l = length(sum);
+  return l <= 1e300 ? sum : Vec3d{};
+}
+
+bool lacks_normals(const ObjFile& file, const ObjRun& run) {
+  if (file.corner_normals.empty()) return true;
+  const std::uint32_t* corners = file.corner_normals.data();
+  return std::find(corners + run.first_corner, corners + run.end_corner, kNone) != corners + run.end_corner;
+}
+
+// Normals for the corners that have none, of groups and of faces.
+class GroupNormals {
+ public:
+  explicit GroupNormals(ObjFile& file) : file_(file), table_(file.positions.size()) {
+    if (file.corner_normals.empty()) file.corner_normals.assign(file.corner_positions.size(), kNone);
+    first_new_ = file.normals.size();
+  }
+
+  void add(const ObjRun& run) {
+    for_each_face(file_, run, [&](std::size_t first, std::size_t corners) {
+      const Vec3d normal = face_normal(file_, first, corners);
+      std::uint32_t own = kNone;
+      for (std::size_t i = first; i < first + corners; ++i) {
+        std::uint32_t& to = file_.corner_normals[i];
+        if (to != kNone) continue;
+        if (run.group == 0) {
+          if (own == kNone) own = start_sum(normal);
+          to = own;
+        } else {
+          to = group_sum(file_.corner_positions[i], run.group);
+          sums_[to - first_new_] = sums_[to - first_new_] + normal;
+        }
+      }
+    });
+  }
+
+  void finish() {
+    file_.normals.reserve(first_new_ + sums_.size());
+    for (const Vec3d& sum : sums_) file_.normals.push_back(to_float(normalize(sum * kScale, {0, 0, 0})));
+  }
+
+ private:
+  // normalize() takes no vectors longer than 1e30; the corners of floats reach 1e77.
+  static constexpr double kScale = 0x1p-160;
+
+  std::uint32_t start_sum(const Vec3d& normal) {
+    sums_.push_back(normal);
+    return static_cast<std::uint32_t>(first_new_ + sums_.size() - 1);
+  }
+
+  std::uint32_t group_sum(std::uint32_t position, std::uint32_t group) {
+    const std::uint32_t i = table_.number(position, group, 0);
+    if (i == group_sums_.size()) group_sums_.push_back(start_sum({}));
+    return group_sums_[i];
+  }
+
+  ObjFile& file_;
+  std::size_t first_new_ = 0;
+  VertexTable table_;
+  Array<std::uint32_t> group_sums_;  // index of the normal of each of the table's numbers
+  Array<Vec3d> sums_;
+};
+
+}  // namespace
+
+std::vector<ObjPart> find_parts(const ObjFile& file) {
+  std::vector<ObjPart> parts;
+  std::map<std::string_view, std::size_t> known;
+  std::string_view material;
+  ObjRun run;
+  const auto close = [&](std::size_t face) {
+    if (face == run.first_face) return;
+    run.end_face = face;
+    run.end_corner = run.first_corner;
+    for_each_face(file, run, [&](std::size_t, std::size_t corners) { run.end_corner += corners; });
+    const auto [at, is_new] = known.try_emplace(material, parts.size());
+    if (is_new) parts.push_back({material, {}});
+    parts[at->second].runs.push_back(run);
+    run.first_face = run.end_face;
+    run.first_corner = run.end_corner;
+  };
+  for (const ObjEvent& event : file.events) {
+    if (event.kind == ObjEvent::Kind::material && event.text != material) {
+      close(event.face);
+      material = event.text;
+    } else if (event.kind == ObjEvent::Kind::smoothing && smoothing_group(event.text) != run.group) {
+      close(event.face);
+      run.group = smoothing_group(event.text);
+    }
+  }
+  close(file.faces);
+  return parts;
+}
+
+void smooth_groups(ObjFile& file, const std::vector<ObjPart>& parts) {
+  const bool has_groups = std::any_of(parts.begin(), parts.end(), [&](const ObjPart& part) {
+    return std::any_of(part.runs.begin(), part.runs.end(),
+                       [&](const ObjRun& run) { return run.group != 0 && lacks_normals(file, run); });
+  });
+  if (!has_groups) return;
+  GroupNormals normals(file);
+  for (const ObjPart& part : parts) {
+    for (const ObjRun& run : part.runs) normals.add(run);
+  }
+  normals.finish();
+}
+
+std::vector<Mesh> make_meshes(ObjFile&& file, const std::vector<ObjPart>& parts) {
+  std::vector<Mesh> meshes;
+  if (is_one_mesh(file, parts)) {
+    meshes.push_back(take_whole(std::move(file), parts.front()));
+    return meshes;
+  }
+  VertexTable table(file.positions.size());
+  for (const ObjPart& part : parts) {
+    meshes.push_back(gather_part(file, part, table));
+    table.clear();
+  }
+  return meshes;
+}
+
+}  // namespace blysk::io

@@ -1,0 +1,39 @@
+// io/obj_mesh.h - the lists of an OBJ file as meshes, one for each material.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "blysk/scene.h"
+#include "io/obj_parse.h"
+
+namespace blysk::io {
+
+/// Faces that follow each other and share material and smoothing group.
+struct ObjRun {
+  std::size_t first_face = 0, end_face = 0;
+  std::size_t first_corner = 0, end_corner = 0;
+  std::uint32_t group = 0;  ///< smoothing group; 0: none
+};
+
+/// The faces of one material.
+struct ObjPart {
+  std::string_view material;  ///< its name; empty: none was named
+  std::vector<ObjRun> runs;
+};
+
+/// In the order in which faces use the materials.
+[[nodiscard]] std::vector<ObjPart> find_parts(const ObjFile& file);
+
+/// Honours smoothing groups, in files that have any: corners without a normal get the mean of the faces of
+/// their group around the vertex, weighted by area; faces outside all groups (`s off`, or before the first
+/// `s`) get their own normal. Files that say `s off` only, or nothing, are left to make_normals().
+void smooth_groups(ObjFile& file, const std::vector<ObjPart>& parts);
+
+/// Meshes of the parts, without names. Vertices are the distinct combinations of indices; corners without a
+/// normal in a mesh with normals get zero, for mend_normals().
+[[nodiscard]] std::vector<Mesh> make_meshes(ObjFile&& file, const std::vector<ObjPart>& parts);
+
+}  // namespace blysk::io
