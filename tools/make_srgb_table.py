@@ -2,7 +2,6 @@
 """Prints src/image/srgb_table.inc: the sRGB transfer function (IEC 61966-2-1) as tables.
 
 kSrgbThresholds  the smallest float whose exactly rounded 8-bit code is 1, 2, ... 255
-kSrgbToLinear    the linear value of each 8-bit code
 kSrgbSegments    a line for every eighth of an octave of [2^-13, 1): offset in units of 1/128 code in the upper 16 bits,
                  slope per 1/256 of the segment in units of 1/65536 code in the lower 16 bits
 
@@ -123,7 +122,6 @@ def main():
           f"{100 * missed / (SEGMENTS << 20):.2f} % of the floats")
     print("// in [2^-13, 1) get a neighbour of their exactly rounded code.")
     print_array("constexpr float kSrgbThresholds[255]", [literal(b) for b in THRESHOLDS], 4)
-    print_array("constexpr float kSrgbToLinear[256]", [literal(float_bits(decode(k))) for k in range(256)], 4)
     print_array(f"const std::uint32_t kSrgbSegments[{SEGMENTS}]", [f"0x{f[2] << 16 | f[3]:08x}" for f in fits], 8)
 
 

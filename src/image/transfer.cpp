@@ -22,6 +22,4 @@ std::uint8_t encode_srgb_fast(float linear) {
   return static_cast<std::uint8_t>(((segment >> 16 << 9) + (segment & 0xffff) * (bits >> 12 & 0xff)) >> 16);
 }
 
-float decode_srgb(std::uint8_t code) { return kSrgbToLinear[code]; }
-
 }  // namespace blysk

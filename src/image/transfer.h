@@ -13,9 +13,6 @@ std::uint8_t encode_srgb(float linear);
 /// Max error: 0.54 codes from the curve, so at most one from encode_srgb; exact at 0 and 1. Monotonic.
 std::uint8_t encode_srgb_fast(float linear);
 
-/// Linear light of a code, rounded to the nearest float; encode_srgb and encode_srgb_fast give the code back.
-float decode_srgb(std::uint8_t code);
-
 // encode_srgb_fast step by step, for kernels that do the same on every lane (transfer.cpp is the model):
 // clamp to [kSrgbLowest, kSrgbHighest] (not a number to kSrgbLowest), take the bits of the float, then
 //   segment = kSrgbSegments[(bits - kSrgbLowestBits) >> 20]

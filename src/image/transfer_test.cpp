@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "math/srgb.h"
+
 namespace blysk {
 namespace {
 
@@ -63,11 +65,11 @@ TEST(encode_srgb_fast, is_exact_below_the_table) {
   }
 }
 
-TEST(decode_srgb, is_the_inverse) {
-  EXPECT_EQ(decode_srgb(0), 0);
-  EXPECT_EQ(decode_srgb(255), 1);
+TEST(encode_srgb, is_the_inverse_of_decoding) {
+  EXPECT_EQ(srgb_to_linear(std::uint8_t{0}), 0);
+  EXPECT_EQ(srgb_to_linear(std::uint8_t{255}), 1);
   for (int code = 0; code < 256; ++code) {
-    const float linear = decode_srgb(static_cast<std::uint8_t>(code));
+    const float linear = srgb_to_linear(static_cast<std::uint8_t>(code));
     EXPECT_NEAR(curve(static_cast<double>(linear)), code, 1e-4);
     EXPECT_EQ(encode_srgb(linear), code);
     EXPECT_EQ(encode_srgb_fast(linear), code);

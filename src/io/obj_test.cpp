@@ -8,7 +8,7 @@
 
 #include "io/obj_text.h"
 #include "io/reader.h"
-#include "math/srgb_float.h"
+#include "math/srgb.h"
 
 namespace blysk::io {
 namespace {

@@ -1,4 +1,4 @@
-#include "math/srgb_float.h"
+#include "math/srgb.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-
-#include "math/srgb.h"
 
 namespace blysk {
 namespace {

@@ -1,10 +1,8 @@
-#include "math/srgb_float.h"
+#include "math/srgb.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-
-#include "math/srgb.h"
 
 namespace blysk {
 namespace {
