@@ -104,8 +104,11 @@ Result<Camera> camera_at_eye(const Arguments& arguments, const Scene& scene) {
 Result<Camera> make_camera(const Arguments& arguments, const Scene& scene, double aspect) {
   const Value* parallel = arguments.find("orthographic");
   if (!arguments.has("eye") && !arguments.has("camera")) {
-    Camera camera = frame_camera(scene.bounds(), choice_of<View>(arguments, "view"), aspect,
-                                 arguments.number("fov"), arguments.number("zoom"), parallel != nullptr);
+    Camera camera = frame_camera(scene, {.view = choice_of<View>(arguments, "view"),
+                                         .aspect = aspect,
+                                         .fov_deg = arguments.number("fov"),
+                                         .zoom = arguments.number("zoom"),
+                                         .orthographic = parallel != nullptr});
     if (parallel != nullptr && !parallel->numbers.empty()) camera.height = parallel->numbers[0];
     return camera;
   }

@@ -12,12 +12,12 @@ enum class MethodKind { shading, lighting, lobe, antialias };
 /// One row. Text fields are empty where they do not apply.
 struct Method {
   MethodKind kind;
-  std::string_view name;        ///< as given to the option of its kind
+  std::string_view name;  ///< as given to the option of its kind
   std::string_view title;
-  std::string_view source;      ///< paper and formula
-  std::string_view reference;   ///< name of the method that it is measured against
-  std::string_view claim;       ///< speed-up and error that the source claims
-  std::string_view limits;      ///< where it is valid
+  std::string_view source;     ///< paper and formula
+  std::string_view reference;  ///< name of the method that it is measured against
+  std::string_view claim;      ///< speed-up and error that the source claims
+  std::string_view limits;     ///< where it is valid
 };
 
 /// All rows, grouped by kind, the default of each kind first.

@@ -16,8 +16,8 @@
 namespace blysk {
 
 struct ModelOptions {
-  double crease_deg = 60;   ///< for files without normals, see make_normals()
-  int threads = 0;          ///< 0: one per processor
+  double crease_deg = 60;  ///< for files without normals, see make_normals()
+  int threads = 0;         ///< 0: one per processor
   Limits limits;
 };
 
@@ -29,7 +29,6 @@ struct ModelOptions {
 /// The same from memory. `name` stands in messages and gives the extension; `folder` is where files
 /// named by the model (MTL, glTF buffers) are looked for; empty: they are not read.
 [[nodiscard]] Result<Scene> load_model(std::span<const std::byte> bytes, std::string_view name,
-                                       const std::filesystem::path& folder,
-                                       const ModelOptions& options = {});
+                                       const std::filesystem::path& folder, const ModelOptions& options = {});
 
 }  // namespace blysk

@@ -28,54 +28,62 @@ enum class Isa { best, scalar, sse4, avx2, avx512, neon };
 
 enum class View { iso, front, back, left, right, top, bottom };
 
-/// A camera that frames `bounds` in a picture of the given aspect (width / height), larger by `zoom`.
-[[nodiscard]] Camera frame_camera(const Bounds& bounds, View view, double aspect, double fov_deg, double zoom,
-                                  bool orthographic);
+/// How frame_camera() looks at a scene.
+struct Framing {
+  View view = View::iso;
+  double aspect = 16.0 / 9;  ///< width / height of the picture
+  double fov_deg = 30;       ///< vertical, 1..170
+  double zoom = 1;           ///< > 1 shows less of the scene, larger
+  bool orthographic = false;
+};
+
+/// The camera whose picture all of the scene just fits into.
+[[nodiscard]] Camera frame_camera(const Scene& scene, const Framing& framing);
 
 enum class Cull {
   material,  ///< back faces of materials that are not double-sided
   none,
-  back       ///< all back faces
+  back  ///< all back faces
 };
 
 enum class Interpolation { perspective, screen };
 
 struct RenderOptions {
-  int width = 1280, height = 720;            ///< 1..16384 each
-  std::optional<Camera> camera;              ///< none: View::iso around the scene's bounds
-  std::vector<Light> lights;                 ///< none: the scene's; none there either: a key light
-  float ambient = 0.25f;                     ///< Ia
-  std::string shading = "phong";             ///< option name from methods()
-  std::string lighting = "blinn";            ///< likewise
-  std::string lobe = "power";                ///< likewise
-  std::string antialias = "none";            ///< likewise
+  int width = 1280, height = 720;  ///< 1..16384 each
+  std::optional<Camera> camera;    ///< none: frame_camera() of the scene
+  std::vector<Light> lights;       ///< none: the scene's; none there either: a key light
+  float ambient = 0.15f;           ///< Ia
+  std::string shading = "phong";   ///< option name from methods()
+  std::string lighting = "blinn";  ///< likewise
+  std::string lobe = "power";      ///< likewise
+  std::string antialias = "none";  ///< likewise
   Interpolation interpolation = Interpolation::perspective;
   Cull cull = Cull::material;
   Transfer transfer = Transfer::srgb;
-  Vec4f background{0, 0, 0, 0};              ///< encoded (not linear) RGBA, 0..1
+  Vec4f background{0, 0, 0, 0};  ///< encoded (not linear) RGBA, 0..1
   bool want_depth = false, want_normal = false, want_id = false;
   Limits limits;
 };
 
 struct FrameStatistics {
-  std::uint64_t triangles_in = 0;       ///< of all instances
-  std::uint64_t triangles_culled = 0;   ///< facing away, when culling
-  std::uint64_t triangles_drawn = 0;    ///< that reach at least one pixel centre of the picture, hidden or not
+  std::uint64_t triangles_in = 0;      ///< of all instances
+  std::uint64_t triangles_culled = 0;  ///< facing away, when culling
+  std::uint64_t triangles_drawn = 0;   ///< that reach at least one pixel centre of the picture, hidden or not
   std::uint64_t pixels_covered = 0;
-  std::uint64_t memory_bytes = 0;       ///< held by the renderer beyond scene and image
+  std::uint64_t memory_bytes = 0;  ///< held by the renderer beyond scene and image
   double geometry_ms = 0, tiles_ms = 0, frame_ms = 0;
 };
 
 struct Frame {
   Image image;
-  FloatImage depth;                     ///< 0 near .. 1 far plane; 1 where nothing is
-  FloatImage normal;                    ///< world space, towards the viewer; 0 where nothing is
-  Array<std::uint32_t> id;              ///< 1 + index of the triangle over all instances; 0 where nothing is
+  FloatImage depth;         ///< 0 near .. 1 far plane; 1 where nothing is
+  FloatImage normal;        ///< world space, towards the viewer; 0 where nothing is
+  Array<std::uint32_t> id;  ///< 1 + index of the triangle over all instances; 0 where nothing is
   FrameStatistics statistics;
 };
 
 struct RendererOptions {
-  int threads = 0;                      ///< 0: one per processor
+  int threads = 0;  ///< 0: one per processor
   Isa isa = Isa::best;
 };
 

@@ -11,11 +11,11 @@ namespace blysk {
 
 /// Kinds of failure, as numbers the command uses for its exit status.
 enum class ErrorCode {
-  usage = 2,    ///< an argument or option is wrong
-  input = 3,    ///< an input cannot be read or is not valid
-  output = 4,   ///< the output cannot be written
-  limit = 5,    ///< a limit of the caller was reached
-  internal = 70 ///< a bug of ours
+  usage = 2,     ///< an argument or option is wrong
+  input = 3,     ///< an input cannot be read or is not valid
+  output = 4,    ///< the output cannot be written
+  limit = 5,     ///< a limit of the caller was reached
+  internal = 70  ///< a bug of ours
 };
 
 /// One failure: what happened, where, and what to do about it.
@@ -33,8 +33,8 @@ struct Error {
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : value_(std::move(value)) {}           // NOLINT(google-explicit-constructor)
-  Result(Error error) : error_(std::move(error)) {}       // NOLINT(google-explicit-constructor)
+  Result(T value) : value_(std::move(value)) {}      // NOLINT(google-explicit-constructor)
+  Result(Error error) : error_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
 
   explicit operator bool() const { return value_.has_value(); }
   T& operator*() { return *value_; }

@@ -76,12 +76,13 @@ struct Mat4 {
 [[nodiscard]] Vec3d transform_point(const Mat4& m, Vec3d p);      ///< w = 1, no division
 [[nodiscard]] Vec3d transform_direction(const Mat4& m, Vec3d d);  ///< w = 0
 [[nodiscard]] double determinant3(const Mat4& m);                 ///< of the upper left 3x3
-[[nodiscard]] Mat4 normal_matrix(const Mat4& m);  ///< cofactors of the upper left 3x3: carries normals, not scaled
+[[nodiscard]] Mat4 normal_matrix(
+    const Mat4& m);  ///< cofactors of the upper left 3x3: carries normals, not scaled
 
 [[nodiscard]] Mat4 translation(Vec3d by);
 [[nodiscard]] Mat4 scaling(Vec3d by);
-[[nodiscard]] Mat4 rotation(Vec3d axis, double radians);              ///< right-handed about a unit axis
-[[nodiscard]] Mat4 rotation_from_quaternion(Vec4d xyzw);              ///< normalised first; identity if zero
+[[nodiscard]] Mat4 rotation(Vec3d axis, double radians);  ///< right-handed about a unit axis
+[[nodiscard]] Mat4 rotation_from_quaternion(Vec4d xyzw);  ///< normalised first; identity if zero
 
 /// Axis-aligned box; empty while lo > hi.
 struct Bounds {

@@ -15,20 +15,20 @@ namespace blysk {
 enum class DropArea { none, positive, negative };
 
 struct AssembleJob {
-  const ScreenVertex* vertices;    ///< of the whole frame
-  const std::uint32_t* indices;    ///< of the mesh
-  std::size_t first, count;        ///< triangles of the mesh to take
-  std::uint32_t vertex_base;       ///< frame index of the mesh's vertex 0
-  std::uint32_t id_base;           ///< frame id of the mesh's triangle 0
-  int width, height;               ///< picture, pixels
+  const ScreenVertex* vertices;  ///< of the whole frame
+  const std::uint32_t* indices;  ///< of the mesh
+  std::size_t first, count;      ///< triangles of the mesh to take
+  std::uint32_t vertex_base;     ///< frame index of the mesh's vertex 0
+  std::uint32_t id_base;         ///< frame id of the mesh's triangle 0
+  int width, height;             ///< picture, pixels
   int tiles_x;
   DropArea drop;
-  ThreadBins* owner;               ///< of the lists
-  Bin* bins;                       ///< owner->bins()
+  ThreadBins* owner;  ///< of the lists
+  Bin* bins;          ///< owner->bins()
 
-  std::uint32_t* rest;             ///< out: triangles left to assemble_rest(), room for count + 16
-  std::size_t rest_count;          ///< out
-  std::uint64_t culled, drawn;     ///< out: added to
+  std::uint32_t* rest;          ///< out: triangles left to assemble_rest(), room for count + 16
+  std::size_t rest_count;       ///< out
+  std::uint64_t culled, drawn;  ///< out: added to
 };
 
 /// Bins small triangles and leaves large and unplaced ones in job.rest.

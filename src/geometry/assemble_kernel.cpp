@@ -1,7 +1,6 @@
-// Sixteen triangles at a time: what covers no pixel centre goes before it touches memory, the very small ones end here as
-// dots, the small ones go to bins.
+// Sixteen triangles at a time: what covers no pixel centre goes before it touches memory, the very small ones
+// end here as dots, the small ones go to bins.
 #include "geometry/assemble.h"
-
 #include "geometry/bin_writer.h"
 #include "simd/kernels.h"
 #include "simd/lanes.h"
@@ -9,7 +8,8 @@
 namespace blysk::BLYSK_ISA {
 namespace {
 
-// A triangle whose box holds at most this many pixel centres a side is tested centre by centre here, sixteen triangles at once.
+// A triangle whose box holds at most this many pixel centres a side is tested centre by centre here, sixteen
+// triangles at once.
 constexpr int kDotSide = 4;
 // Under this extent (128 pixels) products of differences fit 32 bits.
 constexpr std::int32_t kSmallExtent = 1 << 15;
@@ -18,10 +18,10 @@ constexpr std::int32_t kSmallExtent = 1 << 15;
 constexpr int kDotRoom = kDotSide * kDotSide * kLanes + kLanes;
 
 struct Triangles {
-  I32 vertex[3];     // frame indices
+  I32 vertex[3];  // frame indices
   I32 x[3], y[3];
   F32 nearness[3];
-  I32 area;          // twice the area, 1/65536 pixel
+  I32 area;                      // twice the area, 1/65536 pixel
   I32 left, top, right, bottom;  // pixel centres in the box, inclusive
   I32 id;
 };
@@ -60,7 +60,8 @@ struct Dots {
 };
 
 // Tests all centres of the boxes of `which` and writes the dots that are covered.
-BLYSK_INLINE int find_dots(const AssembleJob& job, const Triangles& t, Mask which, Dots& dots, Mask& hit_any) {
+BLYSK_INLINE int find_dots(const AssembleJob& job, const Triangles& t, Mask which, Dots& dots,
+                           Mask& hit_any) {
   Edge e0 = make_edge(t, 1, 2), e1 = make_edge(t, 2, 0), e2 = make_edge(t, 0, 1);
   // Interpolation of nearness from the two exact weights e1 and e2.
   const F32 z0 = t.nearness[0];
@@ -80,8 +81,8 @@ BLYSK_INLINE int find_dots(const AssembleJob& job, const Triangles& t, Mask whic
       if (any(hit)) {
         const F32 nearness = z0 + (to_float(v1 - e1.bias) * dz1 + to_float(v2 - e2.bias) * dz2);
         const I32 tile = shift_right<kTileBits>(row) * I32(job.tiles_x) + shift_right<kTileBits>(column);
-        const I32 place = shift_left<2 * kTileBits>(tile) |
-                          shift_left<kTileBits>(row & I32(kTileSize - 1)) | (column & I32(kTileSize - 1));
+        const I32 place = shift_left<2 * kTileBits>(tile) | shift_left<kTileBits>(row & I32(kTileSize - 1)) |
+                          (column & I32(kTileSize - 1));
         store_compressed(hit, t.id, dots.id + n);
         store_compressed(hit, bits_of(nearness), dots.nearness + n);
         n += store_compressed(hit, place, dots.place + n);
@@ -102,13 +103,15 @@ BLYSK_INLINE void bin_dots(const AssembleJob& job, const Dots& dots, int count) 
   for (int i = 0; i < count; ++i) {
     const auto place = static_cast<std::uint32_t>(dots.place[i]);
     Bin& bin = job.bins[bin_index(place >> (2 * kTileBits), Stream::dot)];
-    append(*job.owner, bin, DotEntry{static_cast<std::uint32_t>(dots.id[i]), float_of_bits(dots.nearness[i]),
-                                    place & (kTilePixels - 1)});
+    append(*job.owner, bin,
+           DotEntry{static_cast<std::uint32_t>(dots.id[i]), float_of_bits(dots.nearness[i]),
+                    place & (kTilePixels - 1)});
   }
 }
 
 BLYSK_INLINE void bin_small(const AssembleJob& job, const Triangles& t, unsigned which) {
-  std::int32_t id[kLanes], v0[kLanes], v1[kLanes], v2[kLanes], left[kLanes], top[kLanes], right[kLanes], bottom[kLanes];
+  std::int32_t id[kLanes], v0[kLanes], v1[kLanes], v2[kLanes], left[kLanes], top[kLanes], right[kLanes],
+      bottom[kLanes];
   store(t.id, id);
   store(t.vertex[0], v0);
   store(t.vertex[1], v1);
@@ -124,7 +127,8 @@ BLYSK_INLINE void bin_small(const AssembleJob& job, const Triangles& t, unsigned
                             static_cast<std::uint32_t>(v2[k])}};
     for (int ty = top[k]; ty <= bottom[k]; ++ty) {
       for (int tx = left[k]; tx <= right[k]; ++tx) {
-        append(*job.owner, job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx), Stream::small)], entry);
+        append(*job.owner,
+               job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx), Stream::small)], entry);
       }
     }
   }
@@ -154,8 +158,9 @@ BLYSK_INLINE void assemble_block(AssembleJob& job, const I32 index[3], I32 id, M
 
   const Mask rest = valid & (unplaced | (large & reaches));
   if (any(rest)) {
-    job.rest_count += static_cast<std::size_t>(store_compressed(
-        rest, id - I32(static_cast<std::int32_t>(job.id_base)), reinterpret_cast<std::int32_t*>(job.rest) + job.rest_count));
+    job.rest_count += static_cast<std::size_t>(
+        store_compressed(rest, id - I32(static_cast<std::int32_t>(job.id_base)),
+                         reinterpret_cast<std::int32_t*>(job.rest) + job.rest_count));
   }
   const Mask placed = and_not(unplaced | large, valid);
 
@@ -206,7 +211,8 @@ void assemble_triangles(AssembleJob& job) {
     std::uint32_t rest[3 * kLanes] = {};
     std::memcpy(rest, in + 3 * i, (job.count - i) * 3 * sizeof(std::uint32_t));
     load_interleaved(rest, index[0], index[1], index[2]);
-    assemble_block(job, index, iota(id + static_cast<std::int32_t>(i)), lanes_below(static_cast<int>(job.count - i)));
+    assemble_block(job, index, iota(id + static_cast<std::int32_t>(i)),
+                   lanes_below(static_cast<int>(job.count - i)));
   }
 }
 

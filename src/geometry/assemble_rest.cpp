@@ -1,7 +1,9 @@
-// The triangles that the kernel leaves: large ones, and ones that cross the near or far plane or the guard band.
+// The triangles that the kernel leaves: large ones, and ones that cross the near or far plane or the guard
+// band.
 //
-// Clipping: I. Sutherland, G. Hodgman. Reentrant polygon clipping. 1974. In homogeneous coordinates and double precision; an
-// edge is always cut from its lesser end, so that two triangles that share it get the same point.
+// Clipping: I. Sutherland, G. Hodgman. Reentrant polygon clipping. 1974. In homogeneous coordinates and
+// double precision; an edge is always cut from its lesser end, so that two triangles that share it get the
+// same point.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +16,7 @@ namespace blysk {
 namespace {
 
 struct ClipVertex {
-  double x, y, z, w;         // subpixels, nearness, each times w
+  double x, y, z, w;            // subpixels, nearness, each times w
   const ScreenVertex* snapped;  // of an original vertex that has its place on the screen
 };
 
@@ -28,12 +30,18 @@ struct Polygon {
 // Distances to near, far and the four guard planes; inside is >= 0.
 double distance(const ClipVertex& v, int plane) {
   switch (plane) {
-    case 0: return v.w - v.z;
-    case 1: return v.z;
-    case 2: return kGuardBand * v.w - v.x;
-    case 3: return kGuardBand * v.w + v.x;
-    case 4: return kGuardBand * v.w - v.y;
-    default: return kGuardBand * v.w + v.y;
+    case 0:
+      return v.w - v.z;
+    case 1:
+      return v.z;
+    case 2:
+      return kGuardBand * v.w - v.x;
+    case 3:
+      return kGuardBand * v.w + v.x;
+    case 4:
+      return kGuardBand * v.w - v.y;
+    default:
+      return kGuardBand * v.w + v.y;
   }
 }
 
@@ -41,7 +49,8 @@ ClipVertex cut(ClipVertex a, ClipVertex b, int plane) {
   if (std::tie(b.x, b.y, b.z, b.w) < std::tie(a.x, a.y, a.z, a.w)) std::swap(a, b);
   const double da = distance(a, plane), db = distance(b, plane);
   const double t = da / (da - db);
-  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z), a.w + t * (b.w - a.w), nullptr};
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z), a.w + t * (b.w - a.w),
+          nullptr};
 }
 
 void clip(Polygon& polygon, int plane) {
@@ -58,8 +67,8 @@ void clip(Polygon& polygon, int plane) {
 
 ClipVertex to_clip(const Vec3f& p, const Projection& m, const ScreenVertex& screen) {
   const auto row = [&](int i) {
-    return double{m.row[i][0]} * double{p.x} + double{m.row[i][1]} * double{p.y} + double{m.row[i][2]} * double{p.z} +
-           double{m.row[i][3]};
+    return double{m.row[i][0]} * double{p.x} + double{m.row[i][1]} * double{p.y} +
+           double{m.row[i][2]} * double{p.z} + double{m.row[i][3]};
   };
   return {row(0), row(1), row(2), row(3), screen.x != kUnplaced ? &screen : nullptr};
 }
@@ -73,12 +82,15 @@ Corner place(const ClipVertex& v) {
   if (v.snapped != nullptr) return {v.snapped->x, v.snapped->y, v.snapped->nearness};
   constexpr double kGuard = kGuardBand;  // cutting may leave a point an ulp outside
   const double q = 1.0 / v.w;
-  const auto snap = [=](double c) { return static_cast<std::int32_t>(std::nearbyint(std::clamp(c, -kGuard, kGuard))); };
+  const auto snap = [=](double c) {
+    return static_cast<std::int32_t>(std::nearbyint(std::clamp(c, -kGuard, kGuard)));
+  };
   return {snap(v.x * q), snap(v.y * q), static_cast<float>(std::clamp(v.z * q, 0.0, 1.0))};
 }
 
 // Whether a tile, as pixel centres, lies wholly on the outer side of the edge a -> b.
-bool outside(const LargeEntry& e, int a, int b, std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1) {
+bool outside(const LargeEntry& e, int a, int b, std::int64_t x0, std::int64_t y0, std::int64_t x1,
+             std::int64_t y1) {
   const std::int64_t dx = std::int64_t{e.x[b]} - e.x[a], dy = std::int64_t{e.y[b]} - e.y[a];
   const std::int64_t px = dy < 0 ? x1 : x0, py = dx > 0 ? y1 : y0;  // the corner that lies farthest inside
   return dx * (py - e.y[a]) - dy * (px - e.x[a]) < 0;
@@ -106,9 +118,13 @@ bool bin_large(AssembleJob& job, LargeEntry e) {
   for (int ty = top >> kTileBits; ty <= bottom >> kTileBits; ++ty) {
     for (int tx = left >> kTileBits; tx <= right >> kTileBits; ++tx) {
       const auto center = [](int pixel) { return std::int64_t{pixel} * kSubpixels + kSubpixels / 2; };
-      const std::int64_t x0 = center(std::max(left, tx * kTileSize)), x1 = center(std::min(right, tx * kTileSize + kTileSize - 1));
-      const std::int64_t y0 = center(std::max(top, ty * kTileSize)), y1 = center(std::min(bottom, ty * kTileSize + kTileSize - 1));
-      if (outside(e, 1, 2, x0, y0, x1, y1) || outside(e, 2, 0, x0, y0, x1, y1) || outside(e, 0, 1, x0, y0, x1, y1)) continue;
+      const std::int64_t x0 = center(std::max(left, tx * kTileSize)),
+                         x1 = center(std::min(right, tx * kTileSize + kTileSize - 1));
+      const std::int64_t y0 = center(std::max(top, ty * kTileSize)),
+                         y1 = center(std::min(bottom, ty * kTileSize + kTileSize - 1));
+      if (outside(e, 1, 2, x0, y0, x1, y1) || outside(e, 2, 0, x0, y0, x1, y1) ||
+          outside(e, 0, 1, x0, y0, x1, y1))
+        continue;
       Bin& bin = job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx), Stream::large)];
       if (static_cast<std::size_t>(bin.end - bin.cursor) < sizeof e) job.owner->grow(bin);
       std::memcpy(bin.cursor, &e, sizeof e);
@@ -119,7 +135,8 @@ bool bin_large(AssembleJob& job, LargeEntry e) {
   return reached;
 }
 
-// The sign of the area of the visible part, from homogeneous coordinates (triangles of unplaced vertices have no other).
+// The sign of the area of the visible part, from homogeneous coordinates (triangles of unplaced vertices have
+// no other).
 double signed_area(const Polygon& p) {
   double area = 0;
   for (int i = 2; i < p.size; ++i) {

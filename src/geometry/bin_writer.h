@@ -8,7 +8,8 @@ namespace blysk::BLYSK_ISA {
 
 template <class Entry>
 BLYSK_INLINE void append(ThreadBins& bins, Bin& bin, const Entry& entry) {
-  if (__builtin_expect(static_cast<std::size_t>(bin.end - bin.cursor) < sizeof(Entry), 0)) grow_bin(bins, bin);
+  if (__builtin_expect(static_cast<std::size_t>(bin.end - bin.cursor) < sizeof(Entry), 0))
+    grow_bin(bins, bin);
   *reinterpret_cast<Entry*>(bin.cursor) = entry;  // an array of bytes makes its objects by itself
   bin.cursor += sizeof(Entry);
 }

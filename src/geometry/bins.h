@@ -1,7 +1,8 @@
 // geometry/bins.h - what touches a tile, as lists that a thread writes and a tile reads.
 //
-// A thread takes chunks of triangles in ascending order, so every list ascends in submission order; the depth test breaks ties by
-// triangle id, so the order in which lists are read cannot show. Lists live in the thread's arena, which is kept from frame to frame.
+// A thread takes chunks of triangles in ascending order, so every list ascends in submission order; the depth
+// test breaks ties by triangle id, so the order in which lists are read cannot show. Lists live in the
+// thread's arena, which is kept from frame to frame.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +15,15 @@
 namespace blysk {
 
 inline constexpr int kTileBits = 6;
-inline constexpr int kTileSize = 1 << kTileBits;  // 64 x 64: depth, id and colour of a tile are 48 KB, a first-level cache
+inline constexpr int kTileSize =
+    1 << kTileBits;  // 64 x 64: depth, id and colour of a tile are 48 KB, a first-level cache
 inline constexpr int kTilePixels = kTileSize * kTileSize;
 
 /// A pixel centre that a very small triangle covers: nothing is left to do but the depth test.
 struct DotEntry {
-  std::uint32_t id;        ///< triangle, counted over all instances
+  std::uint32_t id;  ///< triangle, counted over all instances
   float nearness;
-  std::uint32_t at;        ///< row * 64 + column in the tile
+  std::uint32_t at;  ///< row * 64 + column in the tile
 };
 
 /// A triangle whose bounding box is under 128 pixels wide and high.
@@ -60,8 +62,8 @@ constexpr std::size_t bin_index(std::size_t tile, Stream stream) {
   return tile * kStreams + static_cast<std::size_t>(stream);
 }
 
-/// The lists of one thread: kStreams per tile. Nothing here is inline: kernels are compiled for processors that the
-/// rest must not need (tools/check-kernels).
+/// The lists of one thread: kStreams per tile. Nothing here is inline: kernels are compiled for processors
+/// that the rest must not need (tools/check-kernels).
 class ThreadBins {
  public:
   void reset(std::size_t tiles);

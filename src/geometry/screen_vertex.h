@@ -13,13 +13,15 @@ inline constexpr int kSubpixels = 1 << kSubpixelBits;  // positions snap to 1/25
 /// counted in pixels, fits 32 bits (raster/tile_kernel.cpp).
 inline constexpr std::int32_t kGuardBand = 1 << 22;
 
-/// x of a vertex that has no place on the screen: behind the near plane, beyond the far plane or the guard band.
+/// x of a vertex that has no place on the screen: behind the near plane, beyond the far plane or the guard
+/// band.
 inline constexpr std::int32_t kUnplaced = std::numeric_limits<std::int32_t>::min();
 
 struct ScreenVertex {
   std::int32_t x, y;  ///< 1/256 pixel, row 0 at the top; x is kUnplaced if the vertex has to be clipped
-  float nearness;     ///< 1 at the near plane, 0 at the far plane: floats are dense near 0, where depth is coarse
-  float q;            ///< 1 / w, w = 1 at the far plane (orthographic: 1 everywhere)
+  float
+      nearness;  ///< 1 at the near plane, 0 at the far plane: floats are dense near 0, where depth is coarse
+  float q;       ///< 1 / w, w = 1 at the far plane (orthographic: 1 everywhere)
 };
 static_assert(sizeof(ScreenVertex) == 16);
 

@@ -1,6 +1,5 @@
 // Transforms, divides and snaps sixteen vertices at a time.
 #include "geometry/transform.h"
-
 #include "simd/kernels.h"
 #include "simd/lanes.h"
 
@@ -25,8 +24,8 @@ BLYSK_INLINE void transform_block(const Projection& m, const Positions& p, std::
 
   // Written so that anything not a number fails; the lanes that fail must not reach the conversion.
   constexpr auto kGuard = static_cast<float>(kGuardBand);
-  const Mask placed = (w > F32(0.0f)) & (nearness >= F32(0.0f)) & (nearness <= F32(1.0f)) & (x <= F32(kGuard)) &
-                      (x >= F32(-kGuard)) & (y <= F32(kGuard)) & (y >= F32(-kGuard));
+  const Mask placed = (w > F32(0.0f)) & (nearness >= F32(0.0f)) & (nearness <= F32(1.0f)) &
+                      (x <= F32(kGuard)) & (x >= F32(-kGuard)) & (y <= F32(kGuard)) & (y >= F32(-kGuard));
   const I32 xi = select(placed, nearest(select(placed, x, F32(0.0f))), I32(kUnplaced));
   const I32 yi = nearest(select(placed, y, F32(0.0f)));
   store_interleaved(xi, yi, bits_of(nearness), bits_of(q), out);

@@ -11,10 +11,10 @@ enum class Lobe { power };
 
 /// One light, already multiplied by the material.
 struct Lamp {
-  bool point;            ///< vector is a position (world) instead of a unit direction towards the light
+  bool point;  ///< vector is a position (world) instead of a unit direction towards the light
   float vector[3];
-  float diffuse[3];      ///< Il * kd
-  float specular[3];     ///< Il * ks
+  float diffuse[3];   ///< Il * kd
+  float specular[3];  ///< Il * ks
 };
 
 inline constexpr int kMaxLamps = 16;
@@ -23,8 +23,8 @@ struct Surface {
   LightingModel model;
   Lobe lobe;
   float shininess;
-  int whole_shininess;   ///< the same if it is an integer, else 0
-  float ambient[3];      ///< ka * Ia
+  int whole_shininess;  ///< the same if it is an integer, else 0
+  float ambient[3];     ///< ka * Ia
   float emission[3];
   int lamps;
   Lamp lamp[kMaxLamps];

@@ -1,9 +1,10 @@
 // lighting/lighting.h - the lighting models, for plain floats and for lanes.
 //
-//   I = ka*Ia + sum over lights of Il * (kd*(N.L) + ks*lobe(N.H or R.V)), everything clamped at zero from below
+//   I = ka*Ia + sum over lights of Il * (kd*(N.L) + ks*lobe(N.H or R.V)), everything clamped at zero from
+//   below
 //
-// Thesis, formulas (2.1) and section 2.1 of the specification. Only dot products are normalised, never vectors: N.L / |N| costs one
-// reciprocal root and one multiplication instead of three.
+// Thesis, formulas (2.1) and section 2.1 of the specification. Only dot products are normalised, never
+// vectors: N.L / |N| costs one reciprocal root and one multiplication instead of three.
 #pragma once
 
 #include "lighting/lamp.h"
@@ -49,8 +50,8 @@ struct Intensity {
   Rgb<F> specular;  ///< specular light times ks, and emission
 };
 
-/// Lights a point. `n` and `v` (to the viewer) need not be unit; `where()` gives the point and is called for point lights
-/// only. The side that faces the viewer is the one that is lit.
+/// Lights a point. `n` and `v` (to the viewer) need not be unit; `where()` gives the point and is called for
+/// point lights only. The side that faces the viewer is the one that is lit.
 template <class F, class Where>
 BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3<F>& v, Where where) {
   const F tiny(1e-30f);
@@ -79,8 +80,8 @@ BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3
     if (s.model == LightingModel::lambert) continue;
 
     const F l_v = dot(v, l) * rv;
-    // The square of the cosine is what a division gives at once, without the root of |L + V|: for unit L and V
-    // |L + V|^2 = 2 + 2 L.V.
+    // The square of the cosine is what a division gives at once, without the root of |L + V|: for unit L and
+    // V |L + V|^2 = 2 + 2 L.V.
     F square;
     if (s.model == LightingModel::blinn) {
       const F n_h = max(cos_l + cos_v, F(0.0f));

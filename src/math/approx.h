@@ -1,15 +1,16 @@
 // math/approx.h - roots, logarithms and powers of kernels, from + - * and integers alone.
 //
-// Exact division and square root are the slow instructions of a processor, its approximate ones differ between vendors.
-// These polynomials are neither. Every template serves float and F32 with the same bits.
-// The reference forms are the standard functions in double precision (approx_test.cpp measures the errors).
+// Exact division and square root are the slow instructions of a processor, its approximate ones differ
+// between vendors. These polynomials are neither. Every template serves float and F32 with the same bits. The
+// reference forms are the standard functions in double precision (approx_test.cpp measures the errors).
 #pragma once
 
 #include "simd/lanes.h"
 
 namespace blysk::BLYSK_ISA {
 
-/// 1 / sqrt(x) by a bit-level first guess and two Newton steps, the second with coefficients that centre the error.
+/// 1 / sqrt(x) by a bit-level first guess and two Newton steps, the second with coefficients that centre the
+/// error.
 ///
 /// Max error: 7.5e-7 relative. Valid range: [1e-37, 1e37].
 /// Based on: L. Moroz, C. Walczyk, A. Hrynchyshyn, V. Holimath, J. Cieslinski. Fast calculation of inverse
@@ -19,8 +20,9 @@ BLYSK_INLINE F reciprocal_root(F x) {
   const F half = x * F(0.5f);
   F y = float_of_bits(decltype(bits_of(x))(0x5f375a86) - shift_right<1>(bits_of(x)));
   y = y * (F(1.5f) - half * y * y);
-  // y is now low by 0 to 0.175 %: scaled by 1 + 0.000876 the error is symmetric, and a Newton step of the scaled
-  // value leaves 0 to -1.15e-6, which a last factor centres again. Both scales are folded into the two constants.
+  // y is now low by 0 to 0.175 %: scaled by 1 + 0.000876 the error is symmetric, and a Newton step of the
+  // scaled value leaves 0 to -1.15e-6, which a last factor centres again. Both scales are folded into the two
+  // constants.
   return y * (F(1.50131571f) - F(1.00263262f) * (half * y * y));
 }
 

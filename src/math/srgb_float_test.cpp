@@ -1,11 +1,11 @@
-#include "math/srgb.h"
-
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "math/srgb.h"
 
 namespace blysk {
 namespace {

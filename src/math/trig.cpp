@@ -6,7 +6,7 @@ namespace blysk {
 namespace {
 
 // pi/2 in two parts, so that the reduction keeps its digits.
-constexpr double kHalfPiHigh = 1.5707963267341256;     // 33 bits
+constexpr double kHalfPiHigh = 1.5707963267341256;  // 33 bits
 constexpr double kHalfPiLow = 6.077100506506192e-11;
 
 // Taylor on [-pi/4, pi/4]: the first term left out is below 2e-17 (sine) and 1e-18 (cosine).

@@ -19,7 +19,9 @@ Mat4 operator*(const Mat4& a, const Mat4& b) {
 }
 
 Vec4d transform(const Mat4& m, Vec4d v) {
-  const auto row = [&](int i) { return m.m[i][0] * v.x + m.m[i][1] * v.y + m.m[i][2] * v.z + m.m[i][3] * v.w; };
+  const auto row = [&](int i) {
+    return m.m[i][0] * v.x + m.m[i][1] * v.y + m.m[i][2] * v.z + m.m[i][3] * v.w;
+  };
   return {row(0), row(1), row(2), row(3)};
 }
 
@@ -35,7 +37,8 @@ Vec3d transform_direction(const Mat4& m, Vec3d d) {
 
 double determinant3(const Mat4& m) {
   const auto& a = m.m;
-  return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) - a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
+  return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) -
+         a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
          a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
 }
 

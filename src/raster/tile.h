@@ -10,7 +10,8 @@ namespace blysk {
 
 inline constexpr std::uint32_t kNoTriangle = 0xffffffff;
 
-/// What one thread works on. Rows are kTileSize long; sixteen lanes may be read and rewritten past the last pixel.
+/// What one thread works on. Rows are kTileSize long; sixteen lanes may be read and rewritten past the last
+/// pixel.
 struct TileBuffers {
   static constexpr int kPadding = 16;
   alignas(64) float nearness[kTilePixels + kPadding];
@@ -27,11 +28,12 @@ struct TileJob {
   const Bin* const* bins;        ///< ThreadBins::bins() of every thread
   int bins_count;
   std::uint32_t background;
-  TileBuffers* buffers;          ///< out: nearness, id, and color filled with the background
+  TileBuffers* buffers;  ///< out: nearness, id, and color filled with the background
 };
 
 /// Copies `rows` rows of `width` colours of a tile to a picture whose rows are `stride` pixels apart.
-using StoreTileFunction = void (*)(const TileBuffers& tile, int width, int rows, std::uint32_t* to, std::size_t stride);
+using StoreTileFunction = void (*)(const TileBuffers& tile, int width, int rows, std::uint32_t* to,
+                                   std::size_t stride);
 
 /// Returns how many pixels are covered.
 using RasterizeFunction = int (*)(const TileJob&);

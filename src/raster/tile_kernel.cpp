@@ -11,14 +11,14 @@
 namespace blysk::BLYSK_ISA {
 namespace {
 
-// A triangle ready for its rows in one tile. Edge functions count pixels: for integers e and s, e + 256 k s >= 0 exactly if
-// (e >> 8) + k s >= 0, so the low 8 bits can go and 32 bits suffice.
+// A triangle ready for its rows in one tile. Edge functions count pixels: for integers e and s, e + 256 k s
+// >= 0 exactly if (e >> 8) + k s >= 0, so the low 8 bits can go and 32 bits suffice.
 struct RowSetup {
-  std::int32_t edge[3];            // at the first pixel
+  std::int32_t edge[3];  // at the first pixel
   std::int32_t step_x[3], step_y[3];
-  float x, y;                      // first pixel centre minus vertex 0, subpixels
+  float x, y;                        // first pixel centre minus vertex 0, subpixels
   float nearness, slope_x, slope_y;  // at vertex 0; per subpixel
-  float lowest, highest;           // of the vertices: a sliver's slope must not carry a pixel beyond them
+  float lowest, highest;             // of the vertices: a sliver's slope must not carry a pixel beyond them
   std::int32_t left, top, right, bottom;  // in the tile, inclusive
   std::uint32_t id;
 };
@@ -38,17 +38,20 @@ int count_covered(const TileBuffers& tile) {
 }
 
 // Sixteen pixels that the edges cover are taken over where they are nearer.
-BLYSK_INLINE void depth_test(Mask covered, F32 nearness, std::uint32_t id, float* depth_at, std::uint32_t* id_at) {
+BLYSK_INLINE void depth_test(Mask covered, F32 nearness, std::uint32_t id, float* depth_at,
+                             std::uint32_t* id_at) {
   const F32 old = load(depth_at);
-  // Equal depths are rare outside exact copies, so the ids are only read then. Ids stay below 2^31, kNoTriangle is -1 as
-  // a signed number and nothing drawn has depth below 0, so "no triangle" is told apart by its own test.
+  // Equal depths are rare outside exact copies, so the ids are only read then. Ids stay below 2^31,
+  // kNoTriangle is -1 as a signed number and nothing drawn has depth below 0, so "no triangle" is told apart
+  // by its own test.
   Mask wins = covered & (nearness > old);
   const Mask ties = covered & (nearness == old);
   if (__builtin_expect(any(ties), 0)) {
     const I32 owner = load(id_at);
     wins = wins | (ties & ((owner > I32(static_cast<std::int32_t>(id))) | (owner < I32(0))));
   }
-  // No branch on an empty mask: for small triangles it would be mispredicted more often than it spares a store.
+  // No branch on an empty mask: for small triangles it would be mispredicted more often than it spares a
+  // store.
   store_masked(wins, nearness, depth_at);
   store_masked(wins, I32(static_cast<std::int32_t>(id)), id_at);
 }
@@ -81,7 +84,8 @@ BLYSK_INLINE void draw_rows(const RowSetup& s, TileBuffers& tile) {
 // Sixteen set-ups as columns.
 struct SetupBlock {
   std::int32_t edge[3][kLanes], step_x[3][kLanes], step_y[3][kLanes];
-  float x[kLanes], y[kLanes], nearness[kLanes], slope_x[kLanes], slope_y[kLanes], lowest[kLanes], highest[kLanes];
+  float x[kLanes], y[kLanes], nearness[kLanes], slope_x[kLanes], slope_y[kLanes], lowest[kLanes],
+      highest[kLanes];
   std::int32_t left[kLanes], top[kLanes], right[kLanes], bottom[kLanes];
 };
 
@@ -173,7 +177,8 @@ void draw_large(const TileJob& job, const LargeEntry& t) {
 
   const std::int64_t px = std::int64_t{job.x + s.left} * kSubpixels + kSubpixels / 2;
   const std::int64_t py = std::int64_t{job.y + s.top} * kSubpixels + kSubpixels / 2;
-  // Inside a tile an edge function changes by less than 64 * 2 * 2^23 = 2^30: beyond that only its sign matters.
+  // Inside a tile an edge function changes by less than 64 * 2 * 2^23 = 2^30: beyond that only its sign
+  // matters.
   constexpr std::int64_t kFar = std::int64_t{1} << 30;
   for (int k = 0; k < 3; ++k) {
     const int a = (k + 1) % 3, b = (k + 2) % 3;
@@ -187,7 +192,8 @@ void draw_large(const TileJob& job, const LargeEntry& t) {
 
   const double dx1 = t.x[1] - t.x[0], dy1 = t.y[1] - t.y[0], dx2 = t.x[2] - t.x[0], dy2 = t.y[2] - t.y[0];
   const double inverse = 1.0 / (dx1 * dy2 - dx2 * dy1);
-  const double dz1 = double{t.nearness[1]} - double{t.nearness[0]}, dz2 = double{t.nearness[2]} - double{t.nearness[0]};
+  const double dz1 = double{t.nearness[1]} - double{t.nearness[0]},
+               dz2 = double{t.nearness[2]} - double{t.nearness[0]};
   s.slope_x = static_cast<float>((dz1 * dy2 - dz2 * dy1) * inverse);
   s.slope_y = static_cast<float>((dz2 * dx1 - dz1 * dx2) * inverse);
   s.x = static_cast<float>(px - t.x[0]);
@@ -210,9 +216,10 @@ BLYSK_INLINE void draw_dot(TileBuffers& tile, const DotEntry& dot) {
 }  // namespace
 
 void store_tile(const TileBuffers& tile, int width, int rows, std::uint32_t* to, std::size_t stride) {
-  // Whole lines go past the caches: a picture is not read again before the last tile is done, and fetching lines only to
-  // overwrite them would cost as much as the store.
-  const bool stream = width == kTileSize && reinterpret_cast<std::uintptr_t>(to) % 64 == 0 && stride % 16 == 0;
+  // Whole lines go past the caches: a picture is not read again before the last tile is done, and fetching
+  // lines only to overwrite them would cost as much as the store.
+  const bool stream =
+      width == kTileSize && reinterpret_cast<std::uintptr_t>(to) % 64 == 0 && stride % 16 == 0;
   for (int row = 0; row < rows; ++row, to += stride) {
     const std::uint32_t* from = tile.color + row * kTileSize;
     if (stream) {
@@ -230,7 +237,8 @@ int rasterize_tile(const TileJob& job) {
   int waits = 0;
   for (int i = 0; i < job.bins_count; ++i) {
     const Bin* bins = job.bins[i];
-    for_each_entry<LargeEntry>(bins[bin_index(job.tile, Stream::large)], [&](const LargeEntry& t) { draw_large(job, t); });
+    for_each_entry<LargeEntry>(bins[bin_index(job.tile, Stream::large)],
+                               [&](const LargeEntry& t) { draw_large(job, t); });
     for_each_entry<SmallEntry>(bins[bin_index(job.tile, Stream::small)], [&](const SmallEntry& t) {
       waiting[waits++] = t;
       if (waits == kLanes) {
@@ -241,7 +249,8 @@ int rasterize_tile(const TileJob& job) {
   }
   if (waits > 0) draw_small(job, waiting, waits);
   for (int i = 0; i < job.bins_count; ++i) {
-    for_each_entry<DotEntry>(job.bins[i][bin_index(job.tile, Stream::dot)], [&](const DotEntry& dot) { draw_dot(*job.buffers, dot); });
+    for_each_entry<DotEntry>(job.bins[i][bin_index(job.tile, Stream::dot)],
+                             [&](const DotEntry& dot) { draw_dot(*job.buffers, dot); });
   }
   return count_covered(*job.buffers);
 }

@@ -24,7 +24,8 @@ Status check(const RenderOptions& o) {
                                                               {MethodKind::antialias, &o.antialias}};
   for (const auto& [kind, name] : chosen) {
     if (find_method(kind, *name) == nullptr) {
-      return failure(ErrorCode::usage, "there is no " + std::string(kind_name(kind)) + " method called " + *name);
+      return failure(ErrorCode::usage,
+                     "there is no " + std::string(kind_name(kind)) + " method called " + *name);
     }
   }
   return Done{};
@@ -46,7 +47,9 @@ void set(float* to, Vec3f v) {
 
 Surface make_surface(const Material& m, const std::vector<Light>& lights, const RenderOptions& o) {
   Surface s{};
-  s.model = o.lighting == "blinn" ? LightingModel::blinn : o.lighting == "phong" ? LightingModel::phong : LightingModel::lambert;
+  s.model = o.lighting == "blinn"   ? LightingModel::blinn
+            : o.lighting == "phong" ? LightingModel::phong
+                                    : LightingModel::lambert;
   s.lobe = Lobe::power;
   s.shininess = std::clamp(m.shininess, 1.0f, 1000.0f);
   s.whole_shininess = s.shininess == std::floor(s.shininess) ? static_cast<int>(s.shininess) : 0;
@@ -57,7 +60,8 @@ Surface make_surface(const Material& m, const std::vector<Light>& lights, const 
     lamp.point = light.kind == Light::Kind::point;
     set(lamp.vector, to_float(lamp.point ? light.vector : normalize(light.vector)));
     set(lamp.diffuse, {light.color.x * m.color.x, light.color.y * m.color.y, light.color.z * m.color.z});
-    set(lamp.specular, {light.color.x * m.specular.x, light.color.y * m.specular.y, light.color.z * m.specular.z});
+    set(lamp.specular,
+        {light.color.x * m.specular.x, light.color.y * m.specular.y, light.color.z * m.specular.z});
   }
   return s;
 }
@@ -93,7 +97,9 @@ DrawPlan plan_draw(const Scene& scene, const Instance& instance, const ViewFrame
 }
 
 std::uint32_t pack_background(Vec4f c) {
-  const auto code = [](float v) { return static_cast<std::uint32_t>(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f); };
+  const auto code = [](float v) {
+    return static_cast<std::uint32_t>(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f);
+  };
   return code(c.x) | code(c.y) << 8 | code(c.z) << 16 | code(c.w) << 24;
 }
 
@@ -105,7 +111,7 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
   if (options.camera) {
     camera = *options.camera;
   } else {
-    camera = frame_camera(scene.bounds(), View::iso, double(options.width) / options.height, 30, 1, false);
+    camera = frame_camera(scene, {.aspect = double(options.width) / options.height});
   }
   Result<ViewFrame> view = make_view(camera, scene, options.width, options.height);
   if (!view) return view.error();
@@ -120,7 +126,8 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
   plan.background = pack_background(options.background);
   for (const Instance& instance : scene.instances) {
     if (instance.mesh >= scene.meshes.size() || instance.material >= scene.materials.size()) {
-      return failure(ErrorCode::usage, "an instance refers to a mesh or material that the scene does not have");
+      return failure(ErrorCode::usage,
+                     "an instance refers to a mesh or material that the scene does not have");
     }
     if (scene.meshes[instance.mesh].indices.size() < 3) continue;
     DrawPlan p = plan_draw(scene, instance, plan.view);

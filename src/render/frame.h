@@ -19,7 +19,7 @@ struct DrawPlan {
 
 struct FramePlan {
   ViewFrame view;
-  std::vector<DrawPlan> draws;   ///< instances with triangles, in the scene's order
+  std::vector<DrawPlan> draws;  ///< instances with triangles, in the scene's order
   std::size_t vertices = 0, triangles = 0;
   std::uint32_t background = 0;  ///< RGBA8
 };

@@ -8,7 +8,7 @@ namespace blysk {
 
 #define BLYSK_DECLARE(name)     \
   namespace isa_##name {        \
-  extern const Kernels table;   \
+    extern const Kernels table; \
   }
 #ifdef BLYSK_HAVE_ISA_scalar
 BLYSK_DECLARE(scalar)
@@ -38,7 +38,8 @@ const std::vector<const Kernels*>& runnable() {
 #endif
 #if defined(__x86_64__)
     __builtin_cpu_init();
-    const bool sse4 = __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("aes");
+    const bool sse4 =
+        __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("aes");
     const bool avx2 = sse4 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                       __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
     const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
@@ -66,19 +67,26 @@ const std::vector<const Kernels*>& runnable() {
 
 std::string_view isa_name(Isa isa) {
   switch (isa) {
-    case Isa::scalar: return "scalar";
-    case Isa::sse4: return "sse4";
-    case Isa::avx2: return "avx2";
-    case Isa::avx512: return "avx512";
-    case Isa::neon: return "neon";
-    case Isa::best: break;
+    case Isa::scalar:
+      return "scalar";
+    case Isa::sse4:
+      return "sse4";
+    case Isa::avx2:
+      return "avx2";
+    case Isa::avx512:
+      return "avx512";
+    case Isa::neon:
+      return "neon";
+    case Isa::best:
+      break;
   }
   return "best";
 }
 
 std::vector<Isa> available_isas() {
   std::vector<Isa> r;
-  std::transform(runnable().begin(), runnable().end(), std::back_inserter(r), [](const Kernels* k) { return k->isa; });
+  std::transform(runnable().begin(), runnable().end(), std::back_inserter(r),
+                 [](const Kernels* k) { return k->isa; });
   return r;
 }
 

@@ -1,4 +1,5 @@
-// The one table of methods. What a row says appears in help, documentation and reports; nothing is written twice.
+// The one table of methods. What a row says appears in help, documentation and reports; nothing is written
+// twice.
 #include <algorithm>
 
 #include "blysk/methods.h"
@@ -7,26 +8,33 @@ namespace blysk {
 namespace {
 
 constexpr Method kMethods[] = {
-    {MethodKind::shading, "phong", "Normals interpolated, lit at every pixel", "Phong 1975; thesis 3.3", "", "",
-     "everywhere; opposite normals face the viewer"},
-    {MethodKind::shading, "gouraud", "Corners lit, intensities interpolated", "Gouraud 1971; thesis 3.2", "phong", "",
-     "within 1/255 of phong while triangle side (rad) * sqrt(shininess) <= 0.154"},
-    {MethodKind::shading, "flat", "One normal and colour a triangle", "Bouknight 1970; thesis 3.1", "phong", "", "everywhere"},
-    {MethodKind::lighting, "blinn", "Specular term by N.H", "Blinn 1977; thesis 2.1", "", "", "L + V not zero"},
+    {MethodKind::shading, "phong", "Normals interpolated, lit at every pixel", "Phong 1975; thesis 3.3", "",
+     "", "everywhere; opposite normals face the viewer"},
+    {MethodKind::shading, "gouraud", "Corners lit, intensities interpolated", "Gouraud 1971; thesis 3.2",
+     "phong", "", "within 1/255 of phong while triangle side (rad) * sqrt(shininess) <= 0.154"},
+    {MethodKind::shading, "flat", "One normal and colour a triangle", "Bouknight 1970; thesis 3.1", "phong",
+     "", "everywhere"},
+    {MethodKind::lighting, "blinn", "Specular term by N.H", "Blinn 1977; thesis 2.1", "", "",
+     "L + V not zero"},
     {MethodKind::lighting, "phong", "Specular term by R.V", "Phong 1975; thesis (2.1)", "", "", "everywhere"},
     {MethodKind::lighting, "lambert", "Diffuse term only", "Lambert 1760; thesis 2.1", "", "", "everywhere"},
     {MethodKind::lobe, "power", "cos^n", "Phong 1975; thesis (2.1)", "", "", "n 1 to 1000"},
-    {MethodKind::antialias, "none", "z-buffer, one sample at the pixel centre", "A-buffer paper, A.1", "", "", "everywhere"},
+    {MethodKind::antialias, "none", "z-buffer, one sample at the pixel centre", "A-buffer paper, A.1", "", "",
+     "everywhere"},
 };
 
 }  // namespace
 
 std::string_view kind_name(MethodKind kind) {
   switch (kind) {
-    case MethodKind::shading: return "shading";
-    case MethodKind::lighting: return "lighting";
-    case MethodKind::lobe: return "lobe";
-    case MethodKind::antialias: return "antialias";
+    case MethodKind::shading:
+      return "shading";
+    case MethodKind::lighting:
+      return "lighting";
+    case MethodKind::lobe:
+      return "lobe";
+    case MethodKind::antialias:
+      return "antialias";
   }
   return "";
 }

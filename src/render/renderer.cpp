@@ -58,7 +58,8 @@ struct Renderer::State {
   void transform();
   void assemble(const RenderOptions& options, int tiles_x, std::size_t tiles);
   void draw_tiles(const RenderOptions& options, int tiles_x, std::size_t tiles, Frame& frame);
-  void draw_tile(Worker& worker, const RenderOptions& options, int tiles_x, std::size_t tile, ShadeFunction shade, Frame& frame);
+  void draw_tile(Worker& worker, const RenderOptions& options, int tiles_x, std::size_t tile,
+                 ShadeFunction shade, Frame& frame);
   void shade_draws(Worker& worker, ShadeJob& job, ShadeFunction function);
   [[nodiscard]] std::uint64_t memory() const;
 };
@@ -67,7 +68,8 @@ void Renderer::State::cut(std::size_t DrawPlan::*count, std::size_t size) {
   chunks.clear();
   for (std::uint32_t d = 0; d < plan.draws.size(); ++d) {
     const std::size_t total = plan.draws[d].*count;
-    for (std::size_t first = 0; first < total; first += size) chunks.push_back({d, first, std::min(size, total - first)});
+    for (std::size_t first = 0; first < total; first += size)
+      chunks.push_back({d, first, std::min(size, total - first)});
   }
 }
 
@@ -76,7 +78,8 @@ void Renderer::State::transform() {
   pool.for_each(chunks.size(), [&](int, std::size_t i) {
     const Chunk& c = chunks[i];
     const Draw& d = plan.draws[c.draw].draw;
-    table.transform({d.positions + c.first, c.count, d.projection, vertices.data() + d.vertex_base + c.first});
+    table.transform(
+        {d.positions + c.first, c.count, d.projection, vertices.data() + d.vertex_base + c.first});
   });
 }
 
@@ -127,8 +130,9 @@ void Renderer::State::shade_draws(Worker& worker, ShadeJob& job, ShadeFunction f
       const std::uint32_t id = job.buffers->id[row * kTileSize + column];
       if (id == last || id == kNoTriangle) continue;
       last = id;
-      const auto after = std::upper_bound(plan.draws.begin(), plan.draws.end(), id,
-                                          [](std::uint32_t v, const DrawPlan& p) { return v < p.draw.id_base; });
+      const auto after =
+          std::upper_bound(plan.draws.begin(), plan.draws.end(), id,
+                           [](std::uint32_t v, const DrawPlan& p) { return v < p.draw.id_base; });
       worker.seen_draws[static_cast<std::size_t>(after - plan.draws.begin()) - 1] = 1;
     }
   }
@@ -145,8 +149,16 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
   const int x = static_cast<int>(tile % static_cast<std::size_t>(tiles_x)) * kTileSize;
   const int y = static_cast<int>(tile / static_cast<std::size_t>(tiles_x)) * kTileSize;
   const int width = std::min(kTileSize, options.width - x), height = std::min(kTileSize, options.height - y);
-  const TileJob job = {x,      y,    width, height, tile, vertices.data(), bin_lists.data(), static_cast<int>(bin_lists.size()),
-                       plan.background, &buffers};
+  const TileJob job = {x,
+                       y,
+                       width,
+                       height,
+                       tile,
+                       vertices.data(),
+                       bin_lists.data(),
+                       static_cast<int>(bin_lists.size()),
+                       plan.background,
+                       &buffers};
   const bool empty = std::all_of(bin_lists.begin(), bin_lists.end(), [&](const Bin* lists) {
     const Bin* of_tile = lists + bin_index(tile, Stream::dot);
     return std::all_of(of_tile, of_tile + kStreams, [](const Bin& bin) { return bin.first == nullptr; });
@@ -155,23 +167,37 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
   worker.blank = empty;
   worker.covered += static_cast<std::uint64_t>(covered);
 
-  ShadeJob shading{x, y, width, height, &buffers, nullptr, vertices.data(), nullptr, &plan.view.rays,
-                   options.interpolation == Interpolation::screen, options.transfer};
+  ShadeJob shading{x,
+                   y,
+                   width,
+                   height,
+                   &buffers,
+                   nullptr,
+                   vertices.data(),
+                   nullptr,
+                   &plan.view.rays,
+                   options.interpolation == Interpolation::screen,
+                   options.transfer};
   if (covered > 0) shade_draws(worker, shading, shade);
   if (options.want_normal) {
     worker.normals.assign(3 * kTilePixels, 0.0f);
     shading.normals = worker.normals.data();
     if (covered > 0) shade_draws(worker, shading, table.write_normals);
   }
-  const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(options.width) + static_cast<std::size_t>(x);
-  table.store_tile(buffers, width, height, frame.image.pixels.data() + first, static_cast<std::size_t>(options.width));
+  const std::size_t first =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(options.width) + static_cast<std::size_t>(x);
+  table.store_tile(buffers, width, height, frame.image.pixels.data() + first,
+                   static_cast<std::size_t>(options.width));
   if (!options.want_depth && !options.want_normal && !options.want_id) return;
   for (int row = 0; row < height; ++row) {
     const std::size_t from = static_cast<std::size_t>(row) * kTileSize;
-    const std::size_t to = static_cast<std::size_t>(y + row) * static_cast<std::size_t>(options.width) + static_cast<std::size_t>(x);
+    const std::size_t to = static_cast<std::size_t>(y + row) * static_cast<std::size_t>(options.width) +
+                           static_cast<std::size_t>(x);
     const auto count = static_cast<std::size_t>(width);
-    if (options.want_normal) std::memcpy(&frame.normal.values[3 * to], &worker.normals[3 * from], 3 * count * sizeof(float));
-    for (std::size_t i = 0; i < count && options.want_depth; ++i) frame.depth.values[to + i] = 1.0f - buffers.nearness[from + i];
+    if (options.want_normal)
+      std::memcpy(&frame.normal.values[3 * to], &worker.normals[3 * from], 3 * count * sizeof(float));
+    for (std::size_t i = 0; i < count && options.want_depth; ++i)
+      frame.depth.values[to + i] = 1.0f - buffers.nearness[from + i];
     for (std::size_t i = 0; i < count && options.want_id; ++i) frame.id[to + i] = buffers.id[from + i] + 1;
   }
 }
@@ -192,7 +218,8 @@ std::uint64_t Renderer::State::memory() const {
   std::uint64_t n = vertices.capacity() * sizeof(ScreenVertex) + chunks.capacity() * sizeof(Chunk) +
                     plan.draws.capacity() * sizeof(DrawPlan);
   for (const Worker& w : workers) {
-    n += w.bins.memory() + sizeof(TileBuffers) + w.rest.capacity() * sizeof(std::uint32_t) + w.normals.capacity() * sizeof(float);
+    n += w.bins.memory() + sizeof(TileBuffers) + w.rest.capacity() * sizeof(std::uint32_t) +
+         w.normals.capacity() * sizeof(float);
   }
   return n;
 }
@@ -200,22 +227,31 @@ std::uint64_t Renderer::State::memory() const {
 Status Renderer::State::render(const Scene& scene, const RenderOptions& options, Frame& frame) {
   const Clock::time_point start = Clock::now();
   if (const Status s = plan_frame(scene, options, plan); !s) return s.error();
-  const std::uint64_t need = plan.vertices * sizeof(ScreenVertex) + std::uint64_t{4} * static_cast<std::uint64_t>(options.width) *
-                                                                        static_cast<std::uint64_t>(options.height);
+  const std::uint64_t need =
+      plan.vertices * sizeof(ScreenVertex) + std::uint64_t{4} * static_cast<std::uint64_t>(options.width) *
+                                                 static_cast<std::uint64_t>(options.height);
   if (need > options.limits.max_memory) {
-    return Error{ErrorCode::limit, "the frame needs " + std::to_string(need >> 20) + " MB, more than max_memory allows", {}, 0};
+    return Error{ErrorCode::limit,
+                 "the frame needs " + std::to_string(need >> 20) + " MB, more than max_memory allows",
+                 {},
+                 0};
   }
   frame.image.resize(options.width, options.height);
   const std::size_t pixels = frame.image.pixels.size();
-  frame.depth = options.want_depth ? FloatImage{options.width, options.height, 1, std::move(frame.depth.values)} : FloatImage{};
-  frame.normal = options.want_normal ? FloatImage{options.width, options.height, 3, std::move(frame.normal.values)} : FloatImage{};
+  frame.depth = options.want_depth
+                    ? FloatImage{options.width, options.height, 1, std::move(frame.depth.values)}
+                    : FloatImage{};
+  frame.normal = options.want_normal
+                     ? FloatImage{options.width, options.height, 3, std::move(frame.normal.values)}
+                     : FloatImage{};
   frame.depth.values.resize(options.want_depth ? pixels : 0);
   frame.normal.values.resize(options.want_normal ? 3 * pixels : 0);
   frame.id.resize(options.want_id ? pixels : 0);
   vertices.resize(plan.vertices);
 
   const int tiles_x = (options.width + kTileSize - 1) / kTileSize;
-  const std::size_t tiles = static_cast<std::size_t>(tiles_x) * static_cast<std::size_t>((options.height + kTileSize - 1) / kTileSize);
+  const std::size_t tiles = static_cast<std::size_t>(tiles_x) *
+                            static_cast<std::size_t>((options.height + kTileSize - 1) / kTileSize);
   transform();
   assemble(options, tiles_x, tiles);
   const Clock::time_point assembled = Clock::now();

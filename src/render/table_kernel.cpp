@@ -5,11 +5,14 @@
 namespace blysk::BLYSK_ISA {
 
 namespace {
-constexpr ShadingKernel kShadings[] = {{"phong", shade_phong}, {"gouraud", shade_gouraud}, {"flat", shade_flat}};
+constexpr ShadingKernel kShadings[] = {
+    {"phong", shade_phong}, {"gouraud", shade_gouraud}, {"flat", shade_flat}};
 }
 
 extern const Kernels table;
-const Kernels table = {BLYSK_ISA_ENUM, transform_vertices, assemble_triangles, rasterize_tile, store_tile, write_normals,
-                       kShadings,      static_cast<int>(sizeof kShadings / sizeof kShadings[0])};
+const Kernels table = {BLYSK_ISA_ENUM,     transform_vertices,
+                       assemble_triangles, rasterize_tile,
+                       store_tile,         write_normals,
+                       kShadings,          static_cast<int>(sizeof kShadings / sizeof kShadings[0])};
 
 }  // namespace blysk::BLYSK_ISA

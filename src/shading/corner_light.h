@@ -18,8 +18,9 @@ BLYSK_INLINE V3<F> world_position(const ShadeJob& job, Integer<F> vertex) {
 template <class F>
 BLYSK_INLINE Intensity<F> light_world_point(const ShadeJob& job, const V3<F>& n, const V3<F>& p) {
   const ViewRays& r = *job.rays;
-  const V3<F> viewer = r.orthographic ? V3<F>{F(-r.direction[0]), F(-r.direction[1]), F(-r.direction[2])}
-                                      : V3<F>{F(r.origin[0]) - p.x, F(r.origin[1]) - p.y, F(r.origin[2]) - p.z};
+  const V3<F> viewer = r.orthographic
+                           ? V3<F>{F(-r.direction[0]), F(-r.direction[1]), F(-r.direction[2])}
+                           : V3<F>{F(r.origin[0]) - p.x, F(r.origin[1]) - p.y, F(r.origin[2]) - p.z};
   return light_point(job.draw->surface, n, viewer, [&] { return p; });
 }
 

@@ -43,7 +43,9 @@ BLYSK_INLINE V3<F> fetch3(const Vec3f* base, Integer<F> index) {
 
 template <class F>
 BLYSK_INLINE V3<F> times(const float* m, int stride, const V3<F>& v) {
-  const auto row = [&](int i) { return (F(m[i * stride]) * v.x + F(m[i * stride + 1]) * v.y) + F(m[i * stride + 2]) * v.z; };
+  const auto row = [&](int i) {
+    return (F(m[i * stride]) * v.x + F(m[i * stride + 1]) * v.y) + F(m[i * stride + 2]) * v.z;
+  };
   return {row(0), row(1), row(2)};
 }
 
@@ -56,8 +58,9 @@ struct Corners {
   bool clipped;          ///< any w is not 1
 };
 
-/// Triangles with unplaced corners keep their homogeneous coordinates: the same weights hold for every clipped piece, and no
-/// attribute is ever clipped.  M. Olano, T. Greer. Triangle scan conversion using 2D homogeneous coordinates. 1997.
+/// Triangles with unplaced corners keep their homogeneous coordinates: the same weights hold for every
+/// clipped piece, and no attribute is ever clipped.  M. Olano, T. Greer. Triangle scan conversion using 2D
+/// homogeneous coordinates. 1997.
 template <class F>
 __attribute__((noinline)) void unplace(const ShadeJob& job, Corners<F>& c) {
   const Projection& m = job.draw->projection;
@@ -143,7 +146,9 @@ BLYSK_INLINE V3<F> face_normal(const ShadeJob& job, const Corners<F>& c) {
 template <class Y>
 BLYSK_INLINE V3<F32> viewer_at(const ShadeJob& job, F32 x, Y y) {
   const ViewRays& r = *job.rays;
-  const auto along = [&](int i) { return F32(Y(-r.direction[i]) - y * Y(r.direction_y[i])) - x * F32(r.direction_x[i]); };
+  const auto along = [&](int i) {
+    return F32(Y(-r.direction[i]) - y * Y(r.direction_y[i])) - x * F32(r.direction_x[i]);
+  };
   return {along(0), along(1), along(2)};
 }
 
@@ -153,13 +158,16 @@ BLYSK_INLINE V3<F32> point_at(const ShadeJob& job, F32 x, Y y, F32 nearness, con
   const ViewRays& r = *job.rays;
   const F32 d = r.orthographic ? F32(r.depth_a) + F32(r.depth_b) * nearness
                                : F32(r.depth_a) / (F32(1.0f) + F32(r.depth_b) * nearness);
-  const auto from = [&](int i) { return F32(Y(r.origin[i]) + y * Y(r.origin_y[i])) + x * F32(r.origin_x[i]); };
+  const auto from = [&](int i) {
+    return F32(Y(r.origin[i]) + y * Y(r.origin_y[i])) + x * F32(r.origin_x[i]);
+  };
   return {from(0) - d * viewer.x, from(1) - d * viewer.y, from(2) - d * viewer.z};
 }
 
 /// Intensities and the colours of the vertices to a colour. `w` is read only where vertices have colours.
 template <class F>
-BLYSK_INLINE Rgb<F32> compose(const ShadeJob& job, const Corners<F>& c, const Weights& w, const Intensity<F32>& i) {
+BLYSK_INLINE Rgb<F32> compose(const ShadeJob& job, const Corners<F>& c, const Weights& w,
+                              const Intensity<F32>& i) {
   Rgb<F32> diffuse = i.diffuse;
   if (job.draw->colors != nullptr) {
     V3<F> color[3];
@@ -170,7 +178,8 @@ BLYSK_INLINE Rgb<F32> compose(const ShadeJob& job, const Corners<F>& c, const We
     }
     const V3<F32> mixed = mix(w, color[0], color[1], color[2]);
     const F32 inverse = inverse_sum(w);
-    diffuse = {diffuse.x * (mixed.x * inverse), diffuse.y * (mixed.y * inverse), diffuse.z * (mixed.z * inverse)};
+    diffuse = {diffuse.x * (mixed.x * inverse), diffuse.y * (mixed.y * inverse),
+               diffuse.z * (mixed.z * inverse)};
   }
   return {diffuse.x + i.specular.x, diffuse.y + i.specular.y, diffuse.z + i.specular.z};
 }

@@ -1,7 +1,7 @@
 // Flat shading: one normal a triangle, lit once, at its centroid.
 //
-// Based on: W. J. Bouknight. A procedure for generation of three-dimensional half-toned computer graphics presentations. 1970.
-// Thesis, section 3.1 of the specification.
+// Based on: W. J. Bouknight. A procedure for generation of three-dimensional half-toned computer graphics
+// presentations. 1970. Thesis, section 3.1 of the specification.
 #include "shading/corner_light.h"
 #include "shading/shade_tile.h"
 #include "simd/kernels.h"
@@ -36,11 +36,13 @@ struct Flat {
   }
 
   template <class F, class Y>
-  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y, F32) {
+  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y,
+                                     F32) {
     Weights w{};
     if (job.draw->colors != nullptr) w = weights_at(t.corners, x, y);
     const auto lanes = [](const Rgb<F>& c) { return Rgb<F32>{F32(c.x), F32(c.y), F32(c.z)}; };
-    return compose(job, t.corners, w, Intensity<F32>{lanes(t.intensity.diffuse), lanes(t.intensity.specular)});
+    return compose(job, t.corners, w,
+                   Intensity<F32>{lanes(t.intensity.diffuse), lanes(t.intensity.specular)});
   }
 };
 

@@ -1,6 +1,7 @@
 // Gouraud shading: the corners are lit, intensities are interpolated.
 //
-// Based on: H. Gouraud. Continuous shading of curved surfaces. 1971. Thesis, section 3.2 of the specification.
+// Based on: H. Gouraud. Continuous shading of curved surfaces. 1971. Thesis, section 3.2 of the
+// specification.
 #include "shading/corner_light.h"
 #include "shading/shade_tile.h"
 #include "simd/kernels.h"
@@ -39,12 +40,14 @@ struct Gouraud {
   }
 
   template <class F, class Y>
-  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y, F32) {
+  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y,
+                                     F32) {
     Weights w = weights_at(t.corners, x, y);
     const F32 scale = inverse_sum(w);
     for (F32& weight : w.of) weight = weight * scale;
-    const Intensity<F32> i = {mix(w, t.intensity[0].diffuse, t.intensity[1].diffuse, t.intensity[2].diffuse),
-                              mix(w, t.intensity[0].specular, t.intensity[1].specular, t.intensity[2].specular)};
+    const Intensity<F32> i = {
+        mix(w, t.intensity[0].diffuse, t.intensity[1].diffuse, t.intensity[2].diffuse),
+        mix(w, t.intensity[0].specular, t.intensity[1].specular, t.intensity[2].specular)};
     return compose(job, t.corners, w, i);
   }
 };

@@ -1,6 +1,7 @@
 // Phong shading: the normal is interpolated and lit at every pixel. The reference of all others.
 //
-// Based on: B. T. Phong. Illumination for computer generated pictures. 1975. Thesis, section 3.3 of the specification.
+// Based on: B. T. Phong. Illumination for computer generated pictures. 1975. Thesis, section 3.3 of the
+// specification.
 #include "shading/shade_tile.h"
 #include "simd/kernels.h"
 
@@ -34,7 +35,8 @@ struct Phong {
 
   // World normal up to its length; a normal that vanishes between opposite ones faces the viewer.
   template <class F>
-  static BLYSK_INLINE V3<F32> normal_at(const ShadeJob& job, const Triangle<F>& t, const Weights& w, const V3<F32>& viewer) {
+  static BLYSK_INLINE V3<F32> normal_at(const ShadeJob& job, const Triangle<F>& t, const Weights& w,
+                                        const V3<F32>& viewer) {
     V3<F32> n = mix(w, t.normal[0], t.normal[1], t.normal[2]);
     if (job.draw->moved && job.draw->normals != nullptr) n = times(job.draw->normal_matrix, 3, n);
     const Mask gone = dot(n, n) < F32(1e-20f);
@@ -45,7 +47,8 @@ struct Phong {
   }
 
   template <class F, class Y>
-  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y, F32 nearness) {
+  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y,
+                                     F32 nearness) {
     const Weights w = weights_at(t.corners, x, y);
     const V3<F32> viewer = viewer_at(job, x, y);
     const V3<F32> n = normal_at(job, t, w, viewer);
@@ -57,7 +60,8 @@ struct Phong {
 // World normals instead of colours, unit and towards the viewer, for the picture of normals.
 struct Normals : Phong {
   template <class F, class Y>
-  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y, F32) {
+  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y,
+                                     F32) {
     const V3<F32> viewer = viewer_at(job, x, y);
     const V3<F32> n = normal_at(job, t, weights_at(t.corners, x, y), viewer);
     F32 scale = F32(1.0f) / sqrt(dot(n, n));
@@ -74,9 +78,11 @@ struct NormalSink {
     store(c.x, x);
     store(c.y, y);
     store(c.z, z);
-    for (int i = 0; i < count; ++i) write(job, place[i], x[place[i] - at], y[place[i] - at], z[place[i] - at]);
+    for (int i = 0; i < count; ++i)
+      write(job, place[i], x[place[i] - at], y[place[i] - at], z[place[i] - at]);
   }
-  static BLYSK_INLINE void scatter(const ShadeJob& job, const std::int32_t* at, int count, const Rgb<F32>& c) {
+  static BLYSK_INLINE void scatter(const ShadeJob& job, const std::int32_t* at, int count,
+                                   const Rgb<F32>& c) {
     float x[kLanes], y[kLanes], z[kLanes];
     store(c.x, x);
     store(c.y, y);

@@ -15,7 +15,7 @@ namespace blysk {
 /// (origin + x * origin_x + y * origin_y) + d * (direction + x * direction_x + y * direction_y).
 struct ViewRays {
   float direction[3], direction_x[3], direction_y[3];  ///< component along the view axis is 1
-  float origin[3], origin_x[3], origin_y[3];           ///< perspective: the eye; orthographic: moves with the pixel
+  float origin[3], origin_x[3], origin_y[3];  ///< perspective: the eye; orthographic: moves with the pixel
   // d = depth_a / (1 + depth_b * nearness), orthographic: d = depth_a + depth_b * nearness
   bool orthographic;
   float depth_a, depth_b;
@@ -24,26 +24,26 @@ struct ViewRays {
 /// One instance as the shading methods see it.
 struct Draw {
   const Vec3f* positions;
-  const Vec3f* normals;                ///< null: every face has its own
-  const Vec4f* colors;                 ///< null: none
+  const Vec3f* normals;  ///< null: every face has its own
+  const Vec4f* colors;   ///< null: none
   const std::uint32_t* indices;
-  std::uint32_t id_base, id_count;     ///< frame ids of its triangles
-  std::uint32_t vertex_base;           ///< frame index of its vertex 0
-  bool moved;                          ///< the matrices below are not the identity
-  float normal_matrix[9];              ///< mesh to world for normals, row by row; lengths are not kept
-  float matrix[12];                    ///< mesh to world, three rows
+  std::uint32_t id_base, id_count;  ///< frame ids of its triangles
+  std::uint32_t vertex_base;        ///< frame index of its vertex 0
+  bool moved;                       ///< the matrices below are not the identity
+  float normal_matrix[9];           ///< mesh to world for normals, row by row; lengths are not kept
+  float matrix[12];                 ///< mesh to world, three rows
   Projection projection;
   Surface surface;
 };
 
 struct ShadeJob {
-  int x, y, width, height;             ///< tile in the picture, pixels
-  TileBuffers* buffers;                ///< in: id, nearness; out: color
-  float* normals;                      ///< out, of write_normals only: 3 * kTilePixels
-  const ScreenVertex* vertices;        ///< of the frame
+  int x, y, width, height;       ///< tile in the picture, pixels
+  TileBuffers* buffers;          ///< in: id, nearness; out: color
+  float* normals;                ///< out, of write_normals only: 3 * kTilePixels
+  const ScreenVertex* vertices;  ///< of the frame
   const Draw* draw;
   const ViewRays* rays;
-  bool screen_linear;                  ///< attributes are interpolated without perspective, as the papers do
+  bool screen_linear;  ///< attributes are interpolated without perspective, as the papers do
   Transfer transfer;
 };
 

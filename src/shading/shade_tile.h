@@ -1,14 +1,16 @@
 // shading/shade_tile.h - walks the pixels of a draw in a tile and hands them to a shading method.
 //
-// Runs of one triangle in a row are shaded as spans: the triangle's values are plain floats, sixteen pixels at a time. Where
-// triangles change too often for that, pixels are gathered until sixteen of them, each with its own triangle, fill the lanes. A method
-// is written once for both; a pixel's value does not depend on which way it went.
+// Runs of one triangle in a row are shaded as spans: the triangle's values are plain floats, sixteen pixels
+// at a time. Where triangles change too often for that, pixels are gathered until sixteen of them, each with
+// its own triangle, fill the lanes. A method is written once for both; a pixel's value does not depend on
+// which way it went.
 //
 // A method is a struct of static templates over F, float or F32:
 //   template <class F> struct Triangle;                             what is known per triangle; has .corners
-//   template <class F> Triangle<F> set_up_triangle(job, triangle);  from the number of the triangle in the mesh
-//   template <class F, class Y> struct Span / set_up_span(job, triangle, y);  what is known per row of it, y in subpixels
-//   shade(job, triangle, span, x, y, nearness) -> Rgb<F32>          sixteen pixel centres, x in subpixels
+//   template <class F> Triangle<F> set_up_triangle(job, triangle);  from the number of the triangle in the
+//   mesh template <class F, class Y> struct Span / set_up_span(job, triangle, y);  what is known per row of
+//   it, y in subpixels shade(job, triangle, span, x, y, nearness) -> Rgb<F32>          sixteen pixel centres,
+//   x in subpixels
 #pragma once
 
 #include "image/transfer.h"
@@ -21,12 +23,14 @@ namespace blysk::BLYSK_ISA {
 
 BLYSK_INLINE F32 unit_clamp(F32 v) { return min(max(v, F32(0.0f)), F32(1.0f)); }
 
-/// 0..1 to 0..255 in the low byte by the transfer function (image/transfer.h is the model); the highest byte is not clean.
+/// 0..1 to 0..255 in the low byte by the transfer function (image/transfer.h is the model); the highest byte
+/// is not clean.
 BLYSK_INLINE I32 encode(Transfer transfer, F32 v) {
   // Adding 2^23 leaves the nearest integer in the low bits (and 0x4b above them, which pack() lets fall out).
   if (transfer == Transfer::none) return bits_of(unit_clamp(v) * F32(255.0f) + F32(8388608.0f));
   const I32 bits = bits_of(min(max(v, F32(kSrgbLowest)), F32(kSrgbHighest)));
-  const I32 segment = gather(kSrgbSegments, shift_right<20>(bits - I32(static_cast<std::int32_t>(kSrgbLowestBits))));
+  const I32 segment =
+      gather(kSrgbSegments, shift_right<20>(bits - I32(static_cast<std::int32_t>(kSrgbLowestBits))));
   const I32 base = shift_left<9>(shift_right<16>(segment) & I32(0xffff));
   return shift_right<16>(base + (segment & I32(0xffff)) * (shift_right<12>(bits) & I32(0xff)));
 }
@@ -40,7 +44,8 @@ struct ColorSink {
   static BLYSK_INLINE void row(const ShadeJob& job, int at, Mask m, const Rgb<F32>& c) {
     store_masked(m, pack(job, c), job.buffers->color + at);
   }
-  static BLYSK_INLINE void scatter(const ShadeJob& job, const std::int32_t* at, int count, const Rgb<F32>& c) {
+  static BLYSK_INLINE void scatter(const ShadeJob& job, const std::int32_t* at, int count,
+                                   const Rgb<F32>& c) {
     std::int32_t pixel[kLanes];
     store(pack(job, c), pixel);
     for (int i = 0; i < count; ++i) job.buffers->color[at[i]] = static_cast<std::uint32_t>(pixel[i]);
@@ -59,12 +64,15 @@ inline constexpr int kSpanPixels = 12;
 template <class Method, class Sink>
 BLYSK_INLINE void shade_strays(const ShadeJob& job, Strays& s, int count) {
   const I32 at = load(s.at);
-  const auto center = [](I32 pixel) { return to_float(shift_left<kSubpixelBits>(pixel) + I32(kSubpixels / 2)); };
+  const auto center = [](I32 pixel) {
+    return to_float(shift_left<kSubpixelBits>(pixel) + I32(kSubpixels / 2));
+  };
   const F32 x = center((at & I32(kTileSize - 1)) + I32(job.x));
   const F32 y = center(shift_right<kTileBits>(at) + I32(job.y));
   const auto triangle = Method::template set_up_triangle<F32>(job, load(s.triangle));
   const auto span = Method::set_up_span(job, triangle, y);
-  Sink::scatter(job, s.at, count, Method::shade(job, triangle, span, x, y, gather(job.buffers->nearness, at)));
+  Sink::scatter(job, s.at, count,
+                Method::shade(job, triangle, span, x, y, gather(job.buffers->nearness, at)));
 }
 
 template <class Method, class Sink>
@@ -111,7 +119,8 @@ BLYSK_INLINE void shade_draw(const ShadeJob& job) {
         }
         continue;
       }
-      const F32 x = to_float(iota(job.x + column)) * F32(static_cast<float>(kSubpixels)) + F32(kSubpixels / 2.0f);
+      const F32 x =
+          to_float(iota(job.x + column)) * F32(static_cast<float>(kSubpixels)) + F32(kSubpixels / 2.0f);
       const F32 nearness = load(job.buffers->nearness + at);
       for (unsigned left = mine; left != 0;) {
         const unsigned run = left & ((2u << __builtin_ctz(ends & left)) - 1);

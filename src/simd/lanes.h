@@ -1,9 +1,9 @@
 // simd/lanes.h - sixteen lanes of float or integer, whatever the processor has.
 //
 // A thin layer over Highway. Kernels (x_kernel.cpp) are compiled once per instruction set; a value is always
-// sixteen lanes wide, in one, two or four registers (sixteen in the scalar build), so that blocks, masks and sums have the
-// same shape, and pictures the same bytes, on all of them. Only exact operations are offered: no fused
-// multiply-add, no approximate reciprocal.
+// sixteen lanes wide, in one, two or four registers (sixteen in the scalar build), so that blocks, masks and
+// sums have the same shape, and pictures the same bytes, on all of them. Only exact operations are offered:
+// no fused multiply-add, no approximate reciprocal.
 //
 // The functions are also given for plain float, so that one template serves a span (one triangle's values
 // as floats) and gathered pixels (sixteen triangles' values as lanes), bit for bit alike.
@@ -51,11 +51,11 @@ struct I32 {
   }
 };
 
-#define BLYSK_BINARY(Type, name, op)                                        \
-  BLYSK_INLINE Type name(Type a, Type b) {                                  \
-    Type r;                                                                 \
-    BLYSK_EACH_PART r.part[i] = hn::op(a.part[i], b.part[i]);               \
-    return r;                                                               \
+#define BLYSK_BINARY(Type, name, op)                          \
+  BLYSK_INLINE Type name(Type a, Type b) {                    \
+    Type r;                                                   \
+    BLYSK_EACH_PART r.part[i] = hn::op(a.part[i], b.part[i]); \
+    return r;                                                 \
   }
 BLYSK_BINARY(F32, operator+, Add)
 BLYSK_BINARY(F32, operator-, Sub)
@@ -76,17 +76,17 @@ BLYSK_BINARY(Mask, operator|, Or)
 BLYSK_BINARY(Mask, and_not, AndNot)  // !a & b
 #undef BLYSK_BINARY
 
-#define BLYSK_COMPARE(name, result)                                         \
-  BLYSK_INLINE Mask name(F32 a, F32 b) {                                    \
-    Mask r;                                                                 \
-    BLYSK_EACH_PART r.part[i] = hn::result(a.part[i], b.part[i]);           \
-    return r;                                                               \
+#define BLYSK_COMPARE(name, result)                               \
+  BLYSK_INLINE Mask name(F32 a, F32 b) {                          \
+    Mask r;                                                       \
+    BLYSK_EACH_PART r.part[i] = hn::result(a.part[i], b.part[i]); \
+    return r;                                                     \
   }
-#define BLYSK_COMPARE_INT(name, result)                                     \
-  BLYSK_INLINE Mask name(I32 a, I32 b) {                                    \
-    Mask r;                                                                 \
-    BLYSK_EACH_PART r.part[i] = hn::RebindMask(FloatTag(), result);         \
-    return r;                                                               \
+#define BLYSK_COMPARE_INT(name, result)                             \
+  BLYSK_INLINE Mask name(I32 a, I32 b) {                            \
+    Mask r;                                                         \
+    BLYSK_EACH_PART r.part[i] = hn::RebindMask(FloatTag(), result); \
+    return r;                                                       \
   }
 BLYSK_COMPARE(operator<, Lt)
 BLYSK_COMPARE(operator>, Gt)
@@ -169,7 +169,6 @@ BLYSK_INLINE F32 float_of_bits(I32 a) {
   return r;
 }
 
-
 // Memory. Pointers need no alignment.
 
 BLYSK_INLINE F32 load(const float* p) {
@@ -186,7 +185,9 @@ BLYSK_INLINE I32 load(const std::int32_t* p) {
 
 BLYSK_INLINE I32 load(const std::uint32_t* p) { return load(reinterpret_cast<const std::int32_t*>(p)); }
 
-BLYSK_INLINE void store(F32 a, float* p) { BLYSK_EACH_PART hn::StoreU(a.part[i], FloatTag(), p + i * kPartLanes); }
+BLYSK_INLINE void store(F32 a, float* p) {
+  BLYSK_EACH_PART hn::StoreU(a.part[i], FloatTag(), p + i * kPartLanes);
+}
 
 BLYSK_INLINE void store(I32 a, std::int32_t* p) {
   BLYSK_EACH_PART hn::StoreU(a.part[i], IntTag(), p + i * kPartLanes);
@@ -199,7 +200,8 @@ BLYSK_INLINE void store_past_caches(I32 a, std::uint32_t* p) {
   BLYSK_EACH_PART hn::Stream(a.part[i], IntTag(), reinterpret_cast<std::int32_t*>(p) + i * kPartLanes);
 }
 
-/// Writes the lanes of m. The others may be rewritten with what they held: all sixteen must be memory of this thread.
+/// Writes the lanes of m. The others may be rewritten with what they held: all sixteen must be memory of this
+/// thread.
 BLYSK_INLINE void store_masked(Mask m, F32 a, float* p) {
   BLYSK_EACH_PART hn::BlendedStore(a.part[i], m.part[i], FloatTag(), p + i * kPartLanes);
 }
@@ -245,12 +247,14 @@ BLYSK_INLINE void gather_rows(const float* base, I32 index, F32 columns[4]) {
   BLYSK_EACH_PART hn::StoreU(index.part[i], IntTag(), at + i * kPartLanes);
 #if HWY_TARGET == HWY_SCALAR
   for (int i = 0; i < kLanes; ++i) {
-    for (int k = 0; k < 4; ++k) columns[k].part[i] = hn::LoadU(FloatTag(), base + std::ptrdiff_t{kStride} * at[i] + k);
+    for (int k = 0; k < 4; ++k)
+      columns[k].part[i] = hn::LoadU(FloatTag(), base + std::ptrdiff_t{kStride} * at[i] + k);
   }
 #else
   const hn::Full128<float> row_tag;
   BLYSK_EACH_PART {
-    // Register k holds the rows k, k + 4, ... of this part, one a 128-bit block; then each block is transposed.
+    // Register k holds the rows k, k + 4, ... of this part, one a 128-bit block; then each block is
+    // transposed.
     hn::Vec<FloatTag> r[4];
     for (int k = 0; k < 4; ++k) {
       const auto row = [&](int block) {
@@ -297,7 +301,8 @@ BLYSK_INLINE void store_interleaved(I32 a, I32 b, I32 c, I32 d, std::int32_t* p)
 
 /// first, first + 1, ...
 BLYSK_INLINE I32 iota(std::int32_t first) {
-  alignas(64) static constexpr std::int32_t kNumbers[kLanes] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  alignas(64) static constexpr std::int32_t kNumbers[kLanes] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                                8, 9, 10, 11, 12, 13, 14, 15};
   return load(kNumbers) + I32(first);
 }
 
