@@ -50,13 +50,12 @@ struct Intensity {
   Rgb<F> specular;  ///< specular light times ks, and emission
 };
 
-/// Lights a point. `n` and `v` (to the viewer) need not be unit; `where()` gives the point and is called for
-/// point lights only. The side that faces the viewer is the one that is lit.
+/// Lights a point. `n` and `v` (to the viewer) need not be unit, but not zero; `where()` gives the point and
+/// is called for point lights only. The side that faces the viewer is the one that is lit.
 template <class F, class Where>
 BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3<F>& v, Where where) {
-  const F tiny(1e-30f);
-  const F rn = reciprocal_root(max(dot(n, n), tiny));
-  const F rv = reciprocal_root(max(dot(v, v), tiny));
+  const F rn = reciprocal_root(dot(n, n));
+  const F rv = reciprocal_root(dot(v, v));
   const F n_v = dot(n, v);
   const auto side = bits_of(n_v) & decltype(bits_of(n_v))(static_cast<std::int32_t>(0x80000000));
   const F cos_v = float_of_bits(bits_of(n_v) ^ side) * rn * rv;
@@ -69,7 +68,7 @@ BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3
     if (lamp.point) {
       const V3<F> p = where();
       l = {l.x - p.x, l.y - p.y, l.z - p.z};
-      const F rl = reciprocal_root(max(dot(l, l), tiny));
+      const F rl = reciprocal_root(max(dot(l, l), F(1e-30f)));
       l = {l.x * rl, l.y * rl, l.z * rl};
     }
     const F n_l = dot(n, l);
@@ -90,8 +89,6 @@ BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3
       const F r_v = max(F(2.0f) * cos_l * cos_v - l_v, F(0.0f));
       square = r_v * r_v;
     }
-    // Roots are good to 7.5e-7: above 1 that would show in a high power.
-    square = min(square, F(1.0f));
     const F lobe = select(cos_l > F(0.0f), power_lobe(square, s), F(0.0f));
     sum.specular = {sum.specular.x + F(lamp.specular[0]) * lobe, sum.specular.y + F(lamp.specular[1]) * lobe,
                     sum.specular.z + F(lamp.specular[2]) * lobe};

@@ -45,6 +45,12 @@ void set(float* to, Vec3f v) {
   to[2] = v.z;
 }
 
+// Colours that reach a kernel are not negative and not infinite.
+void set_color(float* to, Vec3f v) {
+  const auto bounded = [](float c) { return c > 0 ? std::min(c, 1e6f) : 0.0f; };
+  set(to, {bounded(v.x), bounded(v.y), bounded(v.z)});
+}
+
 Surface make_surface(const Material& m, const std::vector<Light>& lights, const RenderOptions& o) {
   Surface s{};
   s.model = o.lighting == "blinn"   ? LightingModel::blinn
@@ -53,15 +59,16 @@ Surface make_surface(const Material& m, const std::vector<Light>& lights, const 
   s.lobe = Lobe::power;
   s.shininess = std::clamp(m.shininess, 1.0f, 1000.0f);
   s.whole_shininess = s.shininess == std::floor(s.shininess) ? static_cast<int>(s.shininess) : 0;
-  set(s.ambient, m.unlit ? m.color : m.color * o.ambient);
-  set(s.emission, m.emission);
+  set_color(s.ambient, m.unlit ? m.color : m.color * o.ambient);
+  set_color(s.emission, m.emission);
   for (const Light& light : m.unlit ? std::vector<Light>{} : lights) {
     Lamp& lamp = s.lamp[s.lamps++];
     lamp.point = light.kind == Light::Kind::point;
     set(lamp.vector, to_float(lamp.point ? light.vector : normalize(light.vector)));
-    set(lamp.diffuse, {light.color.x * m.color.x, light.color.y * m.color.y, light.color.z * m.color.z});
-    set(lamp.specular,
-        {light.color.x * m.specular.x, light.color.y * m.specular.y, light.color.z * m.specular.z});
+    set_color(lamp.diffuse,
+              {light.color.x * m.color.x, light.color.y * m.color.y, light.color.z * m.color.z});
+    set_color(lamp.specular,
+              {light.color.x * m.specular.x, light.color.y * m.specular.y, light.color.z * m.specular.z});
   }
   return s;
 }

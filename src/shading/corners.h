@@ -102,33 +102,37 @@ BLYSK_INLINE Corners<F> fetch_corners(const ShadeJob& job, Integer<F> triangle) 
 }
 
 /// Weights of the corners at pixel centres, up to one common factor (of either sign).
+template <class P>
 struct Weights {
-  F32 of[3];
+  P of[3];
 };
 
-template <class F, class Y>
-BLYSK_INLINE Weights weights_at(const Corners<F>& c, F32 x, Y y) {
-  F32 dx[3], dy[3];
+template <class F, class P, class Y>
+BLYSK_INLINE Weights<P> weights_at(const Corners<F>& c, P x, Y y) {
+  P dx[3], dy[3];
   for (int k = 0; k < 3; ++k) {
-    dx[k] = c.clipped ? F32(c.x[k]) - F32(c.w[k]) * x : F32(c.x[k]) - x;
-    dy[k] = c.clipped ? F32(c.y[k] - c.w[k] * y) : F32(c.y[k] - y);
+    dx[k] = c.clipped ? P(c.x[k]) - P(c.w[k]) * x : P(c.x[k]) - x;
+    dy[k] = c.clipped ? P(c.y[k] - c.w[k] * y) : P(c.y[k] - y);
   }
-  Weights w;
-  w.of[0] = (dx[1] * dy[2] - dx[2] * dy[1]) * F32(c.q[0]);
-  w.of[1] = (dx[2] * dy[0] - dx[0] * dy[2]) * F32(c.q[1]);
-  w.of[2] = (dx[0] * dy[1] - dx[1] * dy[0]) * F32(c.q[2]);
+  Weights<P> w;
+  w.of[0] = (dx[1] * dy[2] - dx[2] * dy[1]) * P(c.q[0]);
+  w.of[1] = (dx[2] * dy[0] - dx[0] * dy[2]) * P(c.q[1]);
+  w.of[2] = (dx[0] * dy[1] - dx[1] * dy[0]) * P(c.q[2]);
   return w;
 }
 
-template <class F>
-BLYSK_INLINE V3<F32> mix(const Weights& w, const V3<F>& a, const V3<F>& b, const V3<F>& c) {
-  return {(w.of[0] * F32(a.x) + w.of[1] * F32(b.x)) + w.of[2] * F32(c.x),
-          (w.of[0] * F32(a.y) + w.of[1] * F32(b.y)) + w.of[2] * F32(c.y),
-          (w.of[0] * F32(a.z) + w.of[1] * F32(b.z)) + w.of[2] * F32(c.z)};
+template <class F, class P>
+BLYSK_INLINE V3<P> mix(const Weights<P>& w, const V3<F>& a, const V3<F>& b, const V3<F>& c) {
+  return {(w.of[0] * P(a.x) + w.of[1] * P(b.x)) + w.of[2] * P(c.x),
+          (w.of[0] * P(a.y) + w.of[1] * P(b.y)) + w.of[2] * P(c.y),
+          (w.of[0] * P(a.z) + w.of[1] * P(b.z)) + w.of[2] * P(c.z)};
 }
 
 /// The sum of the weights, inverted: only attributes whose length matters need it.
-BLYSK_INLINE F32 inverse_sum(const Weights& w) { return F32(1.0f) / ((w.of[0] + w.of[1]) + w.of[2]); }
+template <class P>
+BLYSK_INLINE P inverse_sum(const Weights<P>& w) {
+  return P(1.0f) / ((w.of[0] + w.of[1]) + w.of[2]);
+}
 
 /// World normal of the face, not unit.
 template <class F>
@@ -143,32 +147,30 @@ BLYSK_INLINE V3<F> face_normal(const ShadeJob& job, const Corners<F>& c) {
 }
 
 /// Towards the viewer, not unit.
-template <class Y>
-BLYSK_INLINE V3<F32> viewer_at(const ShadeJob& job, F32 x, Y y) {
+template <class P, class Y>
+BLYSK_INLINE V3<P> viewer_at(const ShadeJob& job, P x, Y y) {
   const ViewRays& r = *job.rays;
   const auto along = [&](int i) {
-    return F32(Y(-r.direction[i]) - y * Y(r.direction_y[i])) - x * F32(r.direction_x[i]);
+    return P(Y(-r.direction[i]) - y * Y(r.direction_y[i])) - x * P(r.direction_x[i]);
   };
   return {along(0), along(1), along(2)};
 }
 
 /// The world point that a pixel shows.
-template <class Y>
-BLYSK_INLINE V3<F32> point_at(const ShadeJob& job, F32 x, Y y, F32 nearness, const V3<F32>& viewer) {
+template <class P, class Y>
+BLYSK_INLINE V3<P> point_at(const ShadeJob& job, P x, Y y, P nearness, const V3<P>& viewer) {
   const ViewRays& r = *job.rays;
-  const F32 d = r.orthographic ? F32(r.depth_a) + F32(r.depth_b) * nearness
-                               : F32(r.depth_a) / (F32(1.0f) + F32(r.depth_b) * nearness);
-  const auto from = [&](int i) {
-    return F32(Y(r.origin[i]) + y * Y(r.origin_y[i])) + x * F32(r.origin_x[i]);
-  };
+  const P d = r.orthographic ? P(r.depth_a) + P(r.depth_b) * nearness
+                             : P(r.depth_a) / (P(1.0f) + P(r.depth_b) * nearness);
+  const auto from = [&](int i) { return P(Y(r.origin[i]) + y * Y(r.origin_y[i])) + x * P(r.origin_x[i]); };
   return {from(0) - d * viewer.x, from(1) - d * viewer.y, from(2) - d * viewer.z};
 }
 
 /// Intensities and the colours of the vertices to a colour. `w` is read only where vertices have colours.
-template <class F>
-BLYSK_INLINE Rgb<F32> compose(const ShadeJob& job, const Corners<F>& c, const Weights& w,
-                              const Intensity<F32>& i) {
-  Rgb<F32> diffuse = i.diffuse;
+template <class F, class P>
+BLYSK_INLINE Rgb<P> compose(const ShadeJob& job, const Corners<F>& c, const Weights<P>& w,
+                            const Intensity<P>& i) {
+  Rgb<P> diffuse = i.diffuse;
   if (job.draw->colors != nullptr) {
     V3<F> color[3];
     for (int k = 0; k < 3; ++k) {
@@ -176,8 +178,8 @@ BLYSK_INLINE Rgb<F32> compose(const ShadeJob& job, const Corners<F>& c, const We
       fetch_row<4>(reinterpret_cast<const float*>(job.draw->colors), c.vertex[k], row);
       color[k] = {row[0], row[1], row[2]};
     }
-    const V3<F32> mixed = mix(w, color[0], color[1], color[2]);
-    const F32 inverse = inverse_sum(w);
+    const V3<P> mixed = mix(w, color[0], color[1], color[2]);
+    const P inverse = inverse_sum(w);
     diffuse = {diffuse.x * (mixed.x * inverse), diffuse.y * (mixed.y * inverse),
                diffuse.z * (mixed.z * inverse)};
   }

@@ -35,14 +35,12 @@ struct Flat {
     return {};
   }
 
-  template <class F, class Y>
-  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y,
-                                     F32) {
-    Weights w{};
+  template <class F, class P, class Y>
+  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, P x, Y y, P) {
+    Weights<P> w{};
     if (job.draw->colors != nullptr) w = weights_at(t.corners, x, y);
-    const auto lanes = [](const Rgb<F>& c) { return Rgb<F32>{F32(c.x), F32(c.y), F32(c.z)}; };
-    return compose(job, t.corners, w,
-                   Intensity<F32>{lanes(t.intensity.diffuse), lanes(t.intensity.specular)});
+    const auto lanes = [](const Rgb<F>& c) { return Rgb<P>{P(c.x), P(c.y), P(c.z)}; };
+    return compose(job, t.corners, w, Intensity<P>{lanes(t.intensity.diffuse), lanes(t.intensity.specular)});
   }
 };
 

@@ -39,13 +39,12 @@ struct Gouraud {
     return {};
   }
 
-  template <class F, class Y>
-  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y,
-                                     F32) {
-    Weights w = weights_at(t.corners, x, y);
-    const F32 scale = inverse_sum(w);
-    for (F32& weight : w.of) weight = weight * scale;
-    const Intensity<F32> i = {
+  template <class F, class P, class Y>
+  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, P x, Y y, P) {
+    Weights<P> w = weights_at(t.corners, x, y);
+    const P scale = inverse_sum(w);
+    for (P& weight : w.of) weight = weight * scale;
+    const Intensity<P> i = {
         mix(w, t.intensity[0].diffuse, t.intensity[1].diffuse, t.intensity[2].diffuse),
         mix(w, t.intensity[0].specular, t.intensity[1].specular, t.intensity[2].specular)};
     return compose(job, t.corners, w, i);

@@ -34,24 +34,24 @@ struct Phong {
   }
 
   // World normal up to its length; a normal that vanishes between opposite ones faces the viewer.
-  template <class F>
-  static BLYSK_INLINE V3<F32> normal_at(const ShadeJob& job, const Triangle<F>& t, const Weights& w,
-                                        const V3<F32>& viewer) {
-    V3<F32> n = mix(w, t.normal[0], t.normal[1], t.normal[2]);
+  template <class F, class P>
+  static BLYSK_INLINE V3<P> normal_at(const ShadeJob& job, const Triangle<F>& t, const Weights<P>& w,
+                                      const V3<P>& viewer) {
+    V3<P> n = mix(w, t.normal[0], t.normal[1], t.normal[2]);
     if (job.draw->moved && job.draw->normals != nullptr) n = times(job.draw->normal_matrix, 3, n);
-    const Mask gone = dot(n, n) < F32(1e-20f);
+    const auto gone = dot(n, n) < P(1e-20f);
     if (__builtin_expect(any(gone), 0)) {
       n = {select(gone, viewer.x, n.x), select(gone, viewer.y, n.y), select(gone, viewer.z, n.z)};
     }
     return n;
   }
 
-  template <class F, class Y>
-  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y,
-                                     F32 nearness) {
-    const Weights w = weights_at(t.corners, x, y);
-    const V3<F32> viewer = viewer_at(job, x, y);
-    const V3<F32> n = normal_at(job, t, w, viewer);
+  template <class F, class P, class Y>
+  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, P x, Y y,
+                                   P nearness) {
+    const Weights<P> w = weights_at(t.corners, x, y);
+    const V3<P> viewer = viewer_at(job, x, y);
+    const V3<P> n = normal_at(job, t, w, viewer);
     const auto where = [&] { return point_at(job, x, y, nearness, viewer); };
     return compose(job, t.corners, w, light_point(job.draw->surface, n, viewer, where));
   }
@@ -59,18 +59,18 @@ struct Phong {
 
 // World normals instead of colours, unit and towards the viewer, for the picture of normals.
 struct Normals : Phong {
-  template <class F, class Y>
-  static BLYSK_INLINE Rgb<F32> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, F32 x, Y y,
-                                     F32) {
-    const V3<F32> viewer = viewer_at(job, x, y);
-    const V3<F32> n = normal_at(job, t, weights_at(t.corners, x, y), viewer);
-    F32 scale = F32(1.0f) / sqrt(dot(n, n));
-    scale = select(dot(n, viewer) < F32(0.0f), F32(0.0f) - scale, scale);
+  template <class F, class P, class Y>
+  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, P x, Y y, P) {
+    const V3<P> viewer = viewer_at(job, x, y);
+    const V3<P> n = normal_at(job, t, weights_at(t.corners, x, y), viewer);
+    P scale = P(1.0f) / sqrt(dot(n, n));
+    scale = select(dot(n, viewer) < P(0.0f), P(0.0f) - scale, scale);
     return {n.x * scale, n.y * scale, n.z * scale};
   }
 };
 
 struct NormalSink {
+  static constexpr bool kWide = false;
   static BLYSK_INLINE void row(const ShadeJob& job, int at, Mask m, const Rgb<F32>& c) {
     std::int32_t place[kLanes];
     const int count = store_compressed(m, iota(at), place);

@@ -5,12 +5,13 @@
 // its own triangle, fill the lanes. A method is written once for both; a pixel's value does not depend on
 // which way it went.
 //
-// A method is a struct of static templates over F, float or F32:
-//   template <class F> struct Triangle;                             what is known per triangle; has .corners
-//   template <class F> Triangle<F> set_up_triangle(job, triangle);  from the number of the triangle in the
-//   mesh template <class F, class Y> struct Span / set_up_span(job, triangle, y);  what is known per row of
-//   it, y in subpixels shade(job, triangle, span, x, y, nearness) -> Rgb<F32>          sixteen pixel centres,
-//   x in subpixels
+// A method is a struct of static templates. F is float (one triangle) or F32 (sixteen), P the pixels' lanes,
+// Y float or F32:
+//
+//   template <class F> struct Triangle;   what is known of a triangle
+//   set_up_triangle<F>(job, index)        index counts in the mesh
+//   set_up_span(job, triangle, y)         what is known of its row; x and y are pixel centres in subpixels
+//   shade(job, triangle, span, x, y, nearness) -> Rgb<P>
 #pragma once
 
 #include "image/transfer.h"
@@ -21,28 +22,35 @@
 
 namespace blysk::BLYSK_ISA {
 
-BLYSK_INLINE F32 unit_clamp(F32 v) { return min(max(v, F32(0.0f)), F32(1.0f)); }
-
 /// 0..1 to 0..255 in the low byte by the transfer function (image/transfer.h is the model); the highest byte
-/// is not clean.
-BLYSK_INLINE I32 encode(Transfer transfer, F32 v) {
+/// is not clean. Colours are not negative: neither lights nor materials are.
+template <int kRegisters>
+BLYSK_INLINE Ints<kRegisters> encode(Transfer transfer, Floats<kRegisters> v) {
+  using F = Floats<kRegisters>;
+  using I = Ints<kRegisters>;
   // Adding 2^23 leaves the nearest integer in the low bits (and 0x4b above them, which pack() lets fall out).
-  if (transfer == Transfer::none) return bits_of(unit_clamp(v) * F32(255.0f) + F32(8388608.0f));
-  const I32 bits = bits_of(min(max(v, F32(kSrgbLowest)), F32(kSrgbHighest)));
-  const I32 segment =
-      gather(kSrgbSegments, shift_right<20>(bits - I32(static_cast<std::int32_t>(kSrgbLowestBits))));
-  const I32 base = shift_left<9>(shift_right<16>(segment) & I32(0xffff));
-  return shift_right<16>(base + (segment & I32(0xffff)) * (shift_right<12>(bits) & I32(0xff)));
+  if (transfer == Transfer::none) return bits_of(min(v, F(1.0f)) * F(255.0f) + F(8388608.0f));
+  const I bits = bits_of(min(max(v, F(kSrgbLowest)), F(kSrgbHighest)));
+  const I segment =
+      gather(kSrgbSegments, shift_right<20>(bits - I(static_cast<std::int32_t>(kSrgbLowestBits))));
+  const I base = shift_left<9>(shift_right<16>(segment) & I(0xffff));
+  return shift_right<16>(base + (segment & I(0xffff)) * (shift_right<12>(bits) & I(0xff)));
 }
 
 /// Takes colours to the tile's pixels.
 struct ColorSink {
-  static BLYSK_INLINE I32 pack(const ShadeJob& job, const Rgb<F32>& c) {
-    const I32 rg = encode(job.transfer, c.x) | shift_left<8>(encode(job.transfer, c.y));
-    return rg | shift_left<16>(encode(job.transfer, c.z)) | I32(static_cast<std::int32_t>(0xff000000));
+  static constexpr bool kWide = true;
+  template <int kRegisters>
+  static BLYSK_INLINE Ints<kRegisters> pack(const ShadeJob& job, const Rgb<Floats<kRegisters>>& c) {
+    using I = Ints<kRegisters>;
+    const I rg = encode(job.transfer, c.x) | shift_left<8>(encode(job.transfer, c.y));
+    return rg | shift_left<16>(encode(job.transfer, c.z)) | I(static_cast<std::int32_t>(0xff000000));
   }
   static BLYSK_INLINE void row(const ShadeJob& job, int at, Mask m, const Rgb<F32>& c) {
     store_masked(m, pack(job, c), job.buffers->color + at);
+  }
+  static BLYSK_INLINE void whole(const ShadeJob& job, int at, const Rgb<F32Wide>& c) {
+    store_all(pack(job, c), job.buffers->color + at);
   }
   static BLYSK_INLINE void scatter(const ShadeJob& job, const std::int32_t* at, int count,
                                    const Rgb<F32>& c) {
@@ -61,82 +69,128 @@ struct Strays {
 /// Below this many pixels a run they are gathered: a span's set-up costs as much as a few gathered pixels.
 inline constexpr int kSpanPixels = 12;
 
-template <class Method, class Sink>
-BLYSK_INLINE void shade_strays(const ShadeJob& job, Strays& s, int count) {
-  const I32 at = load(s.at);
-  const auto center = [](I32 pixel) {
-    return to_float(shift_left<kSubpixelBits>(pixel) + I32(kSubpixels / 2));
-  };
-  const F32 x = center((at & I32(kTileSize - 1)) + I32(job.x));
-  const F32 y = center(shift_right<kTileBits>(at) + I32(job.y));
-  const auto triangle = Method::template set_up_triangle<F32>(job, load(s.triangle));
-  const auto span = Method::set_up_span(job, triangle, y);
-  Sink::scatter(job, s.at, count,
-                Method::shade(job, triangle, span, x, y, gather(job.buffers->nearness, at)));
+/// Pixel centres in subpixels.
+template <int kRegisters>
+BLYSK_INLINE Floats<kRegisters> centers(Ints<kRegisters> pixel) {
+  using I = Ints<kRegisters>;
+  return to_float(shift_left<kSubpixelBits>(pixel) + I(kSubpixels / 2));
 }
 
 template <class Method, class Sink>
-BLYSK_INLINE void flush_strays(const ShadeJob& job, Strays& s) {
-  if (s.count == 0) return;
-  // Lanes past the last pixel repeat it: their work is thrown away, but it must be sound.
-  for (int i = s.count; i < kLanes; ++i) {
-    s.triangle[i] = s.triangle[s.count - 1];
-    s.at[i] = s.at[s.count - 1];
+class DrawShader {
+ public:
+  explicit BLYSK_INLINE DrawShader(const ShadeJob& job)
+      : job_(job),
+        first_id_(static_cast<std::int32_t>(job.draw->id_base)),
+        last_id_(static_cast<std::int32_t>(job.draw->id_base + job.draw->id_count - 1)) {}
+
+  BLYSK_INLINE void shade() {
+    for (int row = 0; row < job_.height; ++row) {
+      const float y = static_cast<float>((job_.y + row) * kSubpixels + kSubpixels / 2);
+      for (int column = 0; column < job_.width;) column += shade_block(row, column, y);
+    }
+    flush_strays();
   }
-  shade_strays<Method, Sink>(job, s, s.count);
-  s.count = 0;
-}
+
+ private:
+  // Shades the pixels from `column` on; returns how many columns are done.
+  BLYSK_INLINE int shade_block(int row, int column, float y) {
+    const int at = row * kTileSize + column;
+    const I32 id = load(job_.buffers->id + at);
+    // kNoTriangle is -1 here and drops out of the range.
+    const unsigned mine = to_bits((id >= first_id_) & (id <= last_id_) & lanes_below(job_.width - column));
+    if (mine == 0) return kLanes;
+    // The last pixels of runs, in this block of sixteen.
+    const unsigned ends = mine & (to_bits(id != load(job_.buffers->id + at + 1)) | 1u << (kLanes - 1));
+    if (__builtin_popcount(ends) * kSpanPixels > __builtin_popcount(mine)) {
+      gather_strays(lanes_of(mine), id, at);
+      return kLanes;
+    }
+    if constexpr (kWideLanes > kLanes && Sink::kWide) {
+      if (ends == 1u << (kLanes - 1) && mine == (1u << kLanes) - 1 && goes_on(at, column)) {
+        shade_wide(at, column, y);
+        return kWideLanes;
+      }
+    }
+    shade_runs(at, column, y, mine, ends);
+    return kLanes;
+  }
+
+  // Whether the block after a block of one triangle is all of the same.
+  BLYSK_INLINE bool goes_on(int at, int column) const {
+    const I32 same(static_cast<std::int32_t>(job_.buffers->id[at]));
+    return column + kWideLanes <= job_.width &&
+           to_bits(load(job_.buffers->id + at + kLanes) == same) == (1u << kLanes) - 1;
+  }
+
+  BLYSK_INLINE void set_up(int at) {
+    const auto index = static_cast<std::int32_t>(job_.buffers->id[at] - job_.draw->id_base);
+    if (index == known_) return;
+    triangle_ = Method::template set_up_triangle<float>(job_, index);
+    known_ = index;
+  }
+
+  BLYSK_INLINE void shade_wide(int at, int column, float y) {
+    set_up(at);
+    const F32Wide x = centers(iota<kWideParts>(job_.x + column));
+    const F32Wide nearness = load_wide(job_.buffers->nearness + at);
+    Sink::whole(job_, at,
+                Method::shade(job_, triangle_, Method::set_up_span(job_, triangle_, y), x, y, nearness));
+  }
+
+  BLYSK_INLINE void shade_runs(int at, int column, float y, unsigned mine, unsigned ends) {
+    const F32 x = centers(iota(job_.x + column));
+    const F32 nearness = load(job_.buffers->nearness + at);
+    for (unsigned left = mine; left != 0;) {
+      const unsigned run = left & ((2u << __builtin_ctz(ends & left)) - 1);
+      set_up(at + __builtin_ctz(left));
+      left &= ~run;
+      const auto span = Method::set_up_span(job_, triangle_, y);
+      Sink::row(job_, at, lanes_of(run), Method::shade(job_, triangle_, span, x, y, nearness));
+    }
+  }
+
+  BLYSK_INLINE void gather_strays(Mask mine, I32 id, int at) {
+    store_compressed(mine, id - first_id_, strays_.triangle + strays_.count);
+    strays_.count += store_compressed(mine, iota(at), strays_.at + strays_.count);
+    if (strays_.count < kLanes) return;
+    shade_strays(kLanes);
+    strays_.count -= kLanes;
+    store(load(strays_.triangle + kLanes), strays_.triangle);
+    store(load(strays_.at + kLanes), strays_.at);
+  }
+
+  BLYSK_INLINE void flush_strays() {
+    if (strays_.count == 0) return;
+    // Lanes past the last pixel repeat it: their work is thrown away, but it must be sound.
+    for (int i = strays_.count; i < kLanes; ++i) {
+      strays_.triangle[i] = strays_.triangle[strays_.count - 1];
+      strays_.at[i] = strays_.at[strays_.count - 1];
+    }
+    shade_strays(strays_.count);
+  }
+
+  // One copy of the gathered code: it is large.
+  __attribute__((noinline)) void shade_strays(int count) {
+    const I32 at = load(strays_.at);
+    const F32 x = centers((at & I32(kTileSize - 1)) + I32(job_.x));
+    const F32 y = centers(shift_right<kTileBits>(at) + I32(job_.y));
+    const auto triangle = Method::template set_up_triangle<F32>(job_, load(strays_.triangle));
+    const auto span = Method::set_up_span(job_, triangle, y);
+    const F32 nearness = gather(job_.buffers->nearness, at);
+    Sink::scatter(job_, strays_.at, count, Method::shade(job_, triangle, span, x, y, nearness));
+  }
+
+  const ShadeJob& job_;
+  const I32 first_id_, last_id_;
+  typename Method::template Triangle<float> triangle_;
+  std::int32_t known_ = -1;  // the triangle that triangle_ was set up for
+  Strays strays_;
+};
 
 template <class Method, class Sink>
 BLYSK_INLINE void shade_draw(const ShadeJob& job) {
-  using Triangle = typename Method::template Triangle<float>;
-  Strays strays;
-  Triangle triangle;
-  std::int32_t known = -1;  // the triangle that `triangle` was set up for
-  const I32 first_id(static_cast<std::int32_t>(job.draw->id_base));
-  const I32 last_id(static_cast<std::int32_t>(job.draw->id_base + job.draw->id_count - 1));
-
-  for (int row = 0; row < job.height; ++row) {
-    const float y = static_cast<float>((job.y + row) * kSubpixels + kSubpixels / 2);
-    for (int column = 0; column < job.width; column += kLanes) {
-      const int at = row * kTileSize + column;
-      const I32 id = load(job.buffers->id + at);
-      // kNoTriangle is -1 here and drops out of the range.
-      const unsigned mine = to_bits((id >= first_id) & (id <= last_id) & lanes_below(job.width - column));
-      if (mine == 0) continue;
-      // The last pixels of runs, in this block of sixteen.
-      const unsigned ends = mine & (to_bits(id != load(job.buffers->id + at + 1)) | 1u << (kLanes - 1));
-
-      if (__builtin_popcount(ends) * kSpanPixels > __builtin_popcount(mine)) {
-        const Mask m = lanes_of(mine);
-        store_compressed(m, id - first_id, strays.triangle + strays.count);
-        strays.count += store_compressed(m, iota(at), strays.at + strays.count);
-        if (strays.count >= kLanes) {
-          shade_strays<Method, Sink>(job, strays, kLanes);
-          strays.count -= kLanes;
-          store(load(strays.triangle + kLanes), strays.triangle);
-          store(load(strays.at + kLanes), strays.at);
-        }
-        continue;
-      }
-      const F32 x =
-          to_float(iota(job.x + column)) * F32(static_cast<float>(kSubpixels)) + F32(kSubpixels / 2.0f);
-      const F32 nearness = load(job.buffers->nearness + at);
-      for (unsigned left = mine; left != 0;) {
-        const unsigned run = left & ((2u << __builtin_ctz(ends & left)) - 1);
-        const int begin = __builtin_ctz(left);
-        left &= ~run;
-        const auto index = static_cast<std::int32_t>(job.buffers->id[at + begin] - job.draw->id_base);
-        if (index != known) {
-          triangle = Method::template set_up_triangle<float>(job, index);
-          known = index;
-        }
-        const auto span = Method::set_up_span(job, triangle, y);
-        Sink::row(job, at, lanes_of(run), Method::shade(job, triangle, span, x, y, nearness));
-      }
-    }
-  }
-  flush_strays<Method, Sink>(job, strays);
+  DrawShader<Method, Sink>(job).shade();
 }
 
 }  // namespace blysk::BLYSK_ISA

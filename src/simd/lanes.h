@@ -29,151 +29,145 @@ inline constexpr int kPartLanes = static_cast<int>(hn::MaxLanes(FloatTag()));
 inline constexpr int kParts = kLanes / kPartLanes;
 
 #define BLYSK_INLINE inline __attribute__((always_inline))
-#define BLYSK_EACH_PART for (int i = 0; i < kParts; ++i)
-
-struct Mask {
-  hn::Mask<FloatTag> part[kParts];
-};
-
-struct F32 {
-  hn::Vec<FloatTag> part[kParts];
-  BLYSK_INLINE F32() = default;
-  BLYSK_INLINE F32(float value) {  // NOLINT(google-explicit-constructor)
-    BLYSK_EACH_PART part[i] = hn::Set(FloatTag(), value);
-  }
-};
-
-struct I32 {
-  hn::Vec<IntTag> part[kParts];
-  BLYSK_INLINE I32() = default;
-  BLYSK_INLINE I32(std::int32_t value) {  // NOLINT(google-explicit-constructor)
-    BLYSK_EACH_PART part[i] = hn::Set(IntTag(), value);
-  }
-};
-
+#define BLYSK_EACH_PART for (int i = 0; i < kRegisters; ++i)
 #define BLYSK_BINARY(Type, name, op)                          \
-  BLYSK_INLINE Type name(Type a, Type b) {                    \
+  friend BLYSK_INLINE Type name(Type a, Type b) {             \
     Type r;                                                   \
     BLYSK_EACH_PART r.part[i] = hn::op(a.part[i], b.part[i]); \
     return r;                                                 \
   }
-BLYSK_BINARY(F32, operator+, Add)
-BLYSK_BINARY(F32, operator-, Sub)
-BLYSK_BINARY(F32, operator*, Mul)
-BLYSK_BINARY(F32, operator/, Div)
-BLYSK_BINARY(F32, min, Min)
-BLYSK_BINARY(F32, max, Max)
-BLYSK_BINARY(I32, operator+, Add)
-BLYSK_BINARY(I32, operator-, Sub)
-BLYSK_BINARY(I32, operator*, Mul)
-BLYSK_BINARY(I32, operator&, And)
-BLYSK_BINARY(I32, operator|, Or)
-BLYSK_BINARY(I32, operator^, Xor)
-BLYSK_BINARY(I32, min, Min)
-BLYSK_BINARY(I32, max, Max)
-BLYSK_BINARY(Mask, operator&, And)
-BLYSK_BINARY(Mask, operator|, Or)
-BLYSK_BINARY(Mask, and_not, AndNot)  // !a & b
-#undef BLYSK_BINARY
-
-#define BLYSK_COMPARE(name, result)                               \
-  BLYSK_INLINE Mask name(F32 a, F32 b) {                          \
-    Mask r;                                                       \
-    BLYSK_EACH_PART r.part[i] = hn::result(a.part[i], b.part[i]); \
-    return r;                                                     \
-  }
-#define BLYSK_COMPARE_INT(name, result)                             \
-  BLYSK_INLINE Mask name(I32 a, I32 b) {                            \
-    Mask r;                                                         \
+#define BLYSK_COMPARE(Type, name, result)                           \
+  friend BLYSK_INLINE Masks<kRegisters> name(Type a, Type b) {      \
+    Masks<kRegisters> r;                                            \
     BLYSK_EACH_PART r.part[i] = hn::RebindMask(FloatTag(), result); \
     return r;                                                       \
   }
-BLYSK_COMPARE(operator<, Lt)
-BLYSK_COMPARE(operator>, Gt)
-BLYSK_COMPARE(operator<=, Le)
-BLYSK_COMPARE(operator>=, Ge)
-BLYSK_COMPARE(operator==, Eq)
-BLYSK_COMPARE(operator!=, Ne)
-BLYSK_COMPARE_INT(operator<, hn::Lt(a.part[i], b.part[i]))
-BLYSK_COMPARE_INT(operator>, hn::Gt(a.part[i], b.part[i]))
-BLYSK_COMPARE_INT(operator<=, hn::Not(hn::Gt(a.part[i], b.part[i])))
-BLYSK_COMPARE_INT(operator>=, hn::Not(hn::Lt(a.part[i], b.part[i])))
-BLYSK_COMPARE_INT(operator==, hn::Eq(a.part[i], b.part[i]))
-BLYSK_COMPARE_INT(operator!=, hn::Ne(a.part[i], b.part[i]))
-#undef BLYSK_COMPARE_INT
+
+template <int kRegisters>
+struct Masks {
+  hn::Mask<FloatTag> part[kRegisters];
+  BLYSK_BINARY(Masks, operator&, And)
+  BLYSK_BINARY(Masks, operator|, Or)
+  BLYSK_BINARY(Masks, and_not, AndNot)  // !a & b
+};
+
+template <int kRegisters>
+struct Floats {
+  hn::Vec<FloatTag> part[kRegisters];
+  BLYSK_INLINE Floats() = default;
+  BLYSK_INLINE Floats(float value) {  // NOLINT(google-explicit-constructor)
+    BLYSK_EACH_PART part[i] = hn::Set(FloatTag(), value);
+  }
+  BLYSK_BINARY(Floats, operator+, Add)
+  BLYSK_BINARY(Floats, operator-, Sub)
+  BLYSK_BINARY(Floats, operator*, Mul)
+  BLYSK_BINARY(Floats, operator/, Div)
+  BLYSK_BINARY(Floats, min, Min)
+  BLYSK_BINARY(Floats, max, Max)
+  BLYSK_COMPARE(Floats, operator<, hn::Lt(a.part[i], b.part[i]))
+  BLYSK_COMPARE(Floats, operator>, hn::Gt(a.part[i], b.part[i]))
+  BLYSK_COMPARE(Floats, operator<=, hn::Le(a.part[i], b.part[i]))
+  BLYSK_COMPARE(Floats, operator>=, hn::Ge(a.part[i], b.part[i]))
+  BLYSK_COMPARE(Floats, operator==, hn::Eq(a.part[i], b.part[i]))
+  BLYSK_COMPARE(Floats, operator!=, hn::Ne(a.part[i], b.part[i]))
+};
+
+template <int kRegisters>
+struct Ints {
+  hn::Vec<IntTag> part[kRegisters];
+  BLYSK_INLINE Ints() = default;
+  BLYSK_INLINE Ints(std::int32_t value) {  // NOLINT(google-explicit-constructor)
+    BLYSK_EACH_PART part[i] = hn::Set(IntTag(), value);
+  }
+  BLYSK_BINARY(Ints, operator+, Add)
+  BLYSK_BINARY(Ints, operator-, Sub)
+  BLYSK_BINARY(Ints, operator*, Mul)
+  BLYSK_BINARY(Ints, operator&, And)
+  BLYSK_BINARY(Ints, operator|, Or)
+  BLYSK_BINARY(Ints, operator^, Xor)
+  BLYSK_BINARY(Ints, min, Min)
+  BLYSK_BINARY(Ints, max, Max)
+  BLYSK_COMPARE(Ints, operator<, hn::Lt(a.part[i], b.part[i]))
+  BLYSK_COMPARE(Ints, operator>, hn::Gt(a.part[i], b.part[i]))
+  BLYSK_COMPARE(Ints, operator<=, hn::Not(hn::Gt(a.part[i], b.part[i])))
+  BLYSK_COMPARE(Ints, operator>=, hn::Not(hn::Lt(a.part[i], b.part[i])))
+  BLYSK_COMPARE(Ints, operator==, hn::Eq(a.part[i], b.part[i]))
+  BLYSK_COMPARE(Ints, operator!=, hn::Ne(a.part[i], b.part[i]))
+};
+#undef BLYSK_BINARY
 #undef BLYSK_COMPARE
 
-BLYSK_INLINE F32 select(Mask m, F32 yes, F32 no) {
-  F32 r;
+using F32 = Floats<kParts>;
+using I32 = Ints<kParts>;
+using Mask = Masks<kParts>;
+
+/// Long runs of one triangle are shaded in registers' pairs: where sixteen lanes are one register, the
+/// latency of a single chain of operations would leave half of the processor idle.
+inline constexpr int kWideParts = kParts == 1 ? 2 : kParts;
+inline constexpr int kWideLanes = kWideParts * kPartLanes;
+using F32Wide = Floats<kWideParts>;
+
+template <int kRegisters>
+BLYSK_INLINE Floats<kRegisters> select(Masks<kRegisters> m, Floats<kRegisters> yes, Floats<kRegisters> no) {
+  Floats<kRegisters> r;
   BLYSK_EACH_PART r.part[i] = hn::IfThenElse(m.part[i], yes.part[i], no.part[i]);
   return r;
 }
 
-BLYSK_INLINE I32 select(Mask m, I32 yes, I32 no) {
-  I32 r;
+template <int kRegisters>
+BLYSK_INLINE Ints<kRegisters> select(Masks<kRegisters> m, Ints<kRegisters> yes, Ints<kRegisters> no) {
+  Ints<kRegisters> r;
   BLYSK_EACH_PART r.part[i] = hn::IfThenElse(hn::RebindMask(IntTag(), m.part[i]), yes.part[i], no.part[i]);
   return r;
 }
 
-BLYSK_INLINE F32 sqrt(F32 a) {
-  F32 r;
-  BLYSK_EACH_PART r.part[i] = hn::Sqrt(a.part[i]);
-  return r;
-}
+#define BLYSK_UNARY(To, name, From, result)              \
+  template <int kRegisters>                              \
+  BLYSK_INLINE To<kRegisters> name(From<kRegisters> a) { \
+    To<kRegisters> r;                                    \
+    BLYSK_EACH_PART r.part[i] = result;                  \
+    return r;                                            \
+  }
+BLYSK_UNARY(Floats, sqrt, Floats, hn::Sqrt(a.part[i]))
+/// Exact up to 2^24.
+BLYSK_UNARY(Floats, to_float, Ints, hn::ConvertTo(FloatTag(), a.part[i]))
+/// Towards zero; |a| < 2^31.
+BLYSK_UNARY(Ints, truncate, Floats, hn::ConvertTo(IntTag(), a.part[i]))
+/// To nearest, ties to even; |a| < 2^31.
+BLYSK_UNARY(Ints, nearest, Floats, hn::NearestInt(a.part[i]))
+BLYSK_UNARY(Ints, bits_of, Floats, hn::BitCast(IntTag(), a.part[i]))
+BLYSK_UNARY(Floats, float_of_bits, Ints, hn::BitCast(FloatTag(), a.part[i]))
+#undef BLYSK_UNARY
 
-template <int kBits>
-BLYSK_INLINE I32 shift_left(I32 a) {
-  I32 r;
+template <int kBits, int kRegisters>
+BLYSK_INLINE Ints<kRegisters> shift_left(Ints<kRegisters> a) {
+  Ints<kRegisters> r;
   BLYSK_EACH_PART r.part[i] = hn::ShiftLeft<kBits>(a.part[i]);
   return r;
 }
 
 /// Arithmetic: the sign is kept.
-template <int kBits>
-BLYSK_INLINE I32 shift_right(I32 a) {
-  I32 r;
+template <int kBits, int kRegisters>
+BLYSK_INLINE Ints<kRegisters> shift_right(Ints<kRegisters> a) {
+  Ints<kRegisters> r;
   BLYSK_EACH_PART r.part[i] = hn::ShiftRight<kBits>(a.part[i]);
   return r;
 }
 
-/// Exact up to 2^24.
-BLYSK_INLINE F32 to_float(I32 a) {
-  F32 r;
-  BLYSK_EACH_PART r.part[i] = hn::ConvertTo(FloatTag(), a.part[i]);
-  return r;
-}
-
-/// Towards zero; |a| < 2^31.
-BLYSK_INLINE I32 truncate(F32 a) {
-  I32 r;
-  BLYSK_EACH_PART r.part[i] = hn::ConvertTo(IntTag(), a.part[i]);
-  return r;
-}
-
-/// To nearest, ties to even; |a| < 2^31.
-BLYSK_INLINE I32 nearest(F32 a) {
-  I32 r;
-  BLYSK_EACH_PART r.part[i] = hn::NearestInt(a.part[i]);
-  return r;
-}
-
-BLYSK_INLINE I32 bits_of(F32 a) {
-  I32 r;
-  BLYSK_EACH_PART r.part[i] = hn::BitCast(IntTag(), a.part[i]);
-  return r;
-}
-
-BLYSK_INLINE F32 float_of_bits(I32 a) {
-  F32 r;
-  BLYSK_EACH_PART r.part[i] = hn::BitCast(FloatTag(), a.part[i]);
-  return r;
-}
+#undef BLYSK_EACH_PART
+#define BLYSK_EACH_PART for (int i = 0; i < kParts; ++i)
 
 // Memory. Pointers need no alignment.
 
 BLYSK_INLINE F32 load(const float* p) {
   F32 r;
   BLYSK_EACH_PART r.part[i] = hn::LoadU(FloatTag(), p + i * kPartLanes);
+  return r;
+}
+
+BLYSK_INLINE F32Wide load_wide(const float* p) {
+  F32Wide r;
+  for (int i = 0; i < kWideParts; ++i) r.part[i] = hn::LoadU(FloatTag(), p + i * kPartLanes);
   return r;
 }
 
@@ -191,6 +185,13 @@ BLYSK_INLINE void store(F32 a, float* p) {
 
 BLYSK_INLINE void store(I32 a, std::int32_t* p) {
   BLYSK_EACH_PART hn::StoreU(a.part[i], IntTag(), p + i * kPartLanes);
+}
+
+template <int kRegisters>
+BLYSK_INLINE void store_all(Ints<kRegisters> a, std::uint32_t* p) {
+  for (int i = 0; i < kRegisters; ++i) {
+    hn::StoreU(a.part[i], IntTag(), reinterpret_cast<std::int32_t*>(p) + i * kPartLanes);
+  }
 }
 
 BLYSK_INLINE void store(I32 a, std::uint32_t* p) { store(a, reinterpret_cast<std::int32_t*>(p)); }
@@ -223,14 +224,13 @@ BLYSK_INLINE int store_compressed(Mask m, I32 a, std::int32_t* p) {
   return n;
 }
 
-BLYSK_INLINE I32 gather(const std::int32_t* base, I32 index) {
-  I32 r;
-  BLYSK_EACH_PART r.part[i] = hn::GatherIndex(IntTag(), base, index.part[i]);
+template <int kRegisters>
+BLYSK_INLINE Ints<kRegisters> gather(const std::uint32_t* base, Ints<kRegisters> index) {
+  Ints<kRegisters> r;
+  for (int i = 0; i < kRegisters; ++i) {
+    r.part[i] = hn::GatherIndex(IntTag(), reinterpret_cast<const std::int32_t*>(base), index.part[i]);
+  }
   return r;
-}
-
-BLYSK_INLINE I32 gather(const std::uint32_t* base, I32 index) {
-  return gather(reinterpret_cast<const std::int32_t*>(base), index);
 }
 
 BLYSK_INLINE F32 gather(const float* base, I32 index) {
@@ -300,26 +300,32 @@ BLYSK_INLINE void store_interleaved(I32 a, I32 b, I32 c, I32 d, std::int32_t* p)
 }
 
 /// first, first + 1, ...
-BLYSK_INLINE I32 iota(std::int32_t first) {
-  alignas(64) static constexpr std::int32_t kNumbers[kLanes] = {0, 1, 2,  3,  4,  5,  6,  7,
-                                                                8, 9, 10, 11, 12, 13, 14, 15};
-  return load(kNumbers) + I32(first);
+template <int kRegisters = kParts>
+BLYSK_INLINE Ints<kRegisters> iota(std::int32_t first) {
+  alignas(64) static constexpr std::int32_t kNumbers[2 * kLanes] = {
+      0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15,
+      16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31};
+  Ints<kRegisters> r;
+  for (int i = 0; i < kRegisters; ++i) r.part[i] = hn::Load(IntTag(), kNumbers + i * kPartLanes);
+  return r + Ints<kRegisters>(first);
 }
 
 // Masks as bits, lane 0 lowest.
 
-BLYSK_INLINE unsigned to_bits(Mask m) {
-#if HWY_TARGET == HWY_AVX3
-  return static_cast<unsigned>(m.part[0].raw);
-#else
+template <int kRegisters>
+BLYSK_INLINE unsigned to_bits(Masks<kRegisters> m) {
   unsigned r = 0;
-  BLYSK_EACH_PART {
+  for (int i = 0; i < kRegisters; ++i) {
+#if HWY_TARGET == HWY_AVX3
+    const unsigned bits = static_cast<unsigned>(m.part[i].raw);
+#else
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(FloatTag(), m.part[i], bytes);
-    r |= static_cast<unsigned>(bytes[0]) << (i * kPartLanes);
+    const unsigned bits = bytes[0];
+#endif
+    r |= bits << (i * kPartLanes);
   }
   return r;
-#endif
 }
 
 /// The lanes whose bits are set.
@@ -336,7 +342,10 @@ BLYSK_INLINE Mask lanes_of(unsigned bits) {
 /// The lanes 0 .. end - 1.
 BLYSK_INLINE Mask lanes_below(int end) { return iota(0) < I32(end); }
 
-BLYSK_INLINE bool any(Mask m) { return to_bits(m) != 0; }
+template <int kRegisters>
+BLYSK_INLINE bool any(Masks<kRegisters> m) {
+  return to_bits(m) != 0;
+}
 
 // Plain floats, alike in every bit.
 
