@@ -14,6 +14,8 @@
 namespace blysk::io {
 namespace {
 
+constexpr std::size_t kMostWords =
+    8;  // looked for on the rest of a line: more than a colour and what follows it
 constexpr float kNoAlpha = -1;
 constexpr Vec4f kUncolored{-1, -1, -1, -1};  // a face without a colour among faces with one
 constexpr Vec4f kUncoloredLinear{0.8f, 0.8f, 0.8f, 1};
@@ -108,13 +110,14 @@ class OffReader {
     if (words_left_on_line() > 0) text_ = before;
   }
 
+  // At most kMostWords: a file may be one line.
   std::size_t words_left_on_line() const {
-    TextCursor line(TextCursor(text_).line());
+    TextCursor line = text_;
     std::size_t words = 0;
-    for (;; ++words) {
-      const std::string_view word = line.word();
-      if (word.empty() || word[0] == '#') return words;
+    for (; words < kMostWords && !line.at_line_end(); ++words) {
+      if (line.word().starts_with('#')) break;
     }
+    return words;
   }
 
   std::uint64_t least_vertex_words() const {

@@ -95,6 +95,18 @@ TEST(off, many_colors_at_one_vertex) {
   EXPECT_EQ(scene->triangles(), std::uint64_t{kFaces});
 }
 
+TEST(off, all_on_one_line_does_not_take_long) {
+  constexpr int kVertices = 200'000;
+  std::string file = "COFF " + std::to_string(kVertices) + " 1 0";
+  for (int i = 0; i < kVertices; ++i) {
+    file += ' ';
+    file += std::to_string(i);
+    file += i % 2 == 0 ? " 0 0 0 0 0 1" : " 1 0 0 0 0 1";
+  }
+  const Result<Scene> scene = load_text(file + " 3 0 1 2", "x.off");
+  EXPECT_EQ(mesh_of(scene).triangles(), 1u);
+}
+
 TEST(off, every_prefix_survives) {
   expect_all_prefixes_survive("OFF\n4 2 0\n" + kSquareRows + "3 0 1 2 255 0 0\n3 0 2 3\n", "x.off");
   expect_all_prefixes_survive("STCNOFF\n1 1 0\n0 0 0 0 0 1 1 0 0 0.5 0.25\n1 0\n", "x.off");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/threads.h"
 #include "io/faces.h"
@@ -175,18 +176,33 @@ class PlyReader {
     return Done{};
   }
 
+  enum class Role { skipped, corners, color };
+
+  // What each property of a face is for.
+  static std::vector<Role> find_roles(const PlyElement& e, bool with_colors) {
+    std::vector<Role> roles;
+    std::size_t colors = 0;
+    for (const PlyProperty& p : e.properties) {
+      const bool color = with_colors && !p.is_list && ply_color_channel(p.name) >= 0;
+      roles.push_back(is_index_list(p) ? Role::corners : color ? Role::color : Role::skipped);
+      colors += color;
+    }
+    if (colors < 3) std::replace(roles.begin(), roles.end(), Role::color, Role::skipped);
+    return roles;
+  }
+
   template <class Values>
   Status read_faces(const PlyElement& e, Values& values) {
-    const auto is_color = [](const PlyProperty& p) { return !p.is_list && ply_color_channel(p.name) >= 0; };
-    const bool colored = mesh_.colors.empty() && e.name == "face" &&
-                         std::count_if(e.properties.begin(), e.properties.end(), is_color) >= 3;
+    const std::vector<Role> roles = find_roles(e, e.name == "face" && mesh_.colors.empty());
+    const bool colored = std::find(roles.begin(), roles.end(), Role::color) != roles.end();
     if (header_.format != PlyFormat::ascii && !colored && read_triangles(e, values)) return Done{};
     for (std::uint64_t row = 0; row < e.count; ++row) {
       Vec4f color{0, 0, 0, 1};
-      for (const PlyProperty& p : e.properties) {
-        const bool ok = is_index_list(p)         ? read_index_list(e, p, values)
-                        : colored && is_color(p) ? read_color(p, values, color)
-                                                 : skip_property(p, values);
+      for (std::size_t i = 0; i < roles.size(); ++i) {
+        const PlyProperty& p = e.properties[i];
+        const bool ok = roles[i] == Role::corners ? read_index_list(e, p, values)
+                        : roles[i] == Role::color ? read_color(p, values, color)
+                                                  : skip_property(p, values);
         if (!ok) return values.failure(source_, row_name(e, row));
       }
       if (colored) faces_.colors.resize(faces_.sizes.size(), color);
@@ -198,8 +214,20 @@ class PlyReader {
   bool read_color(const PlyProperty& p, Values& values, Vec4f& color) {
     double value = 0;
     if (!values.next(p.type, value)) return false;
-    const int channel = ply_color_channel(p.name);
-    (&color.x)[channel] = channel == 3 ? ply_alpha(p.type, value) : ply_color(p.type, value);
+    switch (ply_color_channel(p.name)) {
+      case 0:
+        color.x = ply_color(p.type, value);
+        break;
+      case 1:
+        color.y = ply_color(p.type, value);
+        break;
+      case 2:
+        color.z = ply_color(p.type, value);
+        break;
+      default:
+        color.w = ply_alpha(p.type, value);
+        break;
+    }
     return true;
   }
 

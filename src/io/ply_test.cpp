@@ -282,6 +282,12 @@ TEST(ply, counts_that_lie_take_no_memory) {
   EXPECT_FALSE(load_text(negative + packed(-1, 1, 2), "x.ply"));
 }
 
+TEST(ply, a_header_of_very_many_properties_does_not_take_long) {
+  std::string properties(kXyz);
+  for (int i = 0; i < 200'000; ++i) properties += "property char x\n";
+  EXPECT_FALSE(load_text(header("binary_little_endian", vertices(1, properties) + faces(1)), "x.ply"));
+}
+
 TEST(ply, limits) {
   ModelOptions options;
   options.limits.max_triangles = 1;

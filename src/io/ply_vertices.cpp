@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <string_view>
+#include <type_traits>
 
 #include "io/ply_values.h"
 #include "math/srgb.h"
@@ -57,12 +58,13 @@ int ply_color_channel(std::string_view name) {
 
 PlyVertices::PlyVertices(const PlyElement& element) : count_(element.count) {
   std::size_t offset = 0;
+  bool taken[5][4] = {};  // attribute, component
   for (const PlyProperty& property : element.properties) {
     Column column = find_column(property);
-    const bool taken = std::any_of(columns_.begin(), columns_.end(), [&](const Column& c) {
-      return c.attribute == column.attribute && c.component == column.component;
-    });
-    if (property.is_list || taken) column.attribute = Attribute::none;
+    if (property.is_list) column.attribute = Attribute::none;
+    bool& twice = taken[static_cast<int>(column.attribute)][column.component];
+    if (twice) column.attribute = Attribute::none;
+    twice = true;
     column.type = property.type;
     column.offset = offset;
     offset += size_of(property.type);

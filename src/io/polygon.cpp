@@ -1,5 +1,6 @@
 #include "io/polygon.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -36,7 +37,8 @@ void add_fan(std::size_t corners, Array<std::uint32_t>& out) {
   }
 }
 
-// Ear clipping in the plane of the two axes that the normal leans from most; cost: corners x reflex corners.
+// Ear clipping in the plane of the two axes that the normal leans from most. Cost: corners x reflex corners
+// at worst.
 class EarCutter {
  public:
   EarCutter(std::span<const Vec3f> corners, Vec3d normal) {
@@ -55,9 +57,13 @@ class EarCutter {
       next_.push_back(i + 1 == count ? 0 : i + 1);
       refused_.push_back(0);
     }
+    choose_axis();
     for (std::uint32_t i = 0; i < count; ++i) {
       if (turn(i) < 0) reflex_.push_back(i);
     }
+    std::sort(reflex_.begin(), reflex_.end(), [&](std::uint32_t p, std::uint32_t q) {
+      return along(p) < along(q) || (along(p) == along(q) && p < q);
+    });
   }
 
   void cut(Array<std::uint32_t>& out) {
@@ -88,10 +94,30 @@ class EarCutter {
   }
   double turn(std::uint32_t i) const { return area(points_[previous_[i]], points_[i], points_[next_[i]]); }
 
+  double along(std::uint32_t i) const { return by_y_ ? points_[i].y : points_[i].x; }
+
+  // Reflex corners are kept sorted along the axis on which the polygon's edges are the shorter, compared with
+  // the whole: an ear then meets few of them.
+  void choose_axis() {
+    Vec2<double> edges, lo = points_[0], hi = points_[0];
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Vec2<double> a = points_[i], b = points_[next_[i]];
+      edges = {edges.x + std::abs(a.x - b.x), edges.y + std::abs(a.y - b.y)};
+      lo = {std::min(lo.x, a.x), std::min(lo.y, a.y)};
+      hi = {std::max(hi.x, a.x), std::max(hi.y, a.y)};
+    }
+    by_y_ = edges.y * (hi.x - lo.x) < edges.x * (hi.y - lo.y);
+  }
+
   bool is_ear(std::uint32_t i) const {
     const Vec2<double> a = points_[previous_[i]], b = points_[i], c = points_[next_[i]];
     if (area(a, b, c) < 0) return false;
-    for (const std::uint32_t r : reflex_) {
+    const double lowest = std::min({along(previous_[i]), along(i), along(next_[i])});
+    const double highest = std::max({along(previous_[i]), along(i), along(next_[i])});
+    auto at = std::lower_bound(reflex_.begin(), reflex_.end(), lowest,
+                               [&](std::uint32_t p, double limit) { return along(p) < limit; });
+    for (; at != reflex_.end() && along(*at) <= highest; ++at) {
+      const std::uint32_t r = *at;
       if (r == previous_[i] || r == i || r == next_[i]) continue;
       const Vec2<double> p = points_[r];
       if (p == a || p == b || p == c) continue;
@@ -118,6 +144,7 @@ class EarCutter {
 
   std::vector<Vec2<double>> points_;
   std::vector<std::uint32_t> previous_, next_, reflex_;
+  bool by_y_ = false;
   std::vector<char> refused_;  // no ear when last looked at, and nothing beside it has changed since
 };
 

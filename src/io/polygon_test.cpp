@@ -90,6 +90,8 @@ TEST(triangulate, stars_and_combs) {
     comb.push_back({-1, 1, 0});
     expect_covered(star);
     expect_covered(comb);
+    for (Vec3f& q : comb) q = {-q.y, q.x, 0};
+    expect_covered(comb);
   }
 }
 

@@ -29,6 +29,11 @@ class TextCursor {
   void skip_blanks() {
     while (at_ != end_ && is_space(*at_) && !ends_line(*at_)) ++at_;
   }
+  /// Whether only blanks are left on the line; steps over them.
+  [[nodiscard]] bool at_line_end() {
+    skip_blanks();
+    return at_ == end_ || ends_line(*at_);
+  }
   /// Space, line ends and comments from `mark` to the end of their line.
   void skip_comments(char mark) {
     for (skip_space(); at_ != end_ && *at_ == mark; skip_space()) line();
