@@ -9,7 +9,7 @@
 
 #include "io/obj_text.h"
 #include "io/text.h"
-#include "math/srgb_float.h"
+#include "math/srgb.h"
 
 namespace blysk::io {
 namespace {

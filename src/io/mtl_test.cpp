@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "math/srgb_float.h"
+#include "math/srgb.h"
 
 namespace blysk::io {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "core/threads.h"
 #include "io/decimal.h"
-#include "math/srgb_float.h"
+#include "math/srgb.h"
 
 namespace blysk::io {
 namespace {
