@@ -127,7 +127,9 @@ Result<Scene> read_obj(const Source& source) {
   const std::vector<ObjPart> parts = find_parts(*file);
   smooth_groups(*file, parts);
   const std::string_view object = only_object(*file);
-  std::vector<Mesh> meshes = make_meshes(std::move(*file), parts);
+  const ModelOptions& options = source.options;
+  const Array<std::uint32_t> normals = crease_normals(*file, parts, options.crease_deg, options.threads);
+  std::vector<Mesh> meshes = make_meshes(std::move(*file), parts, normals);
 
   MaterialList materials(library, scene);
   for (std::size_t i = 0; i < meshes.size(); ++i) {

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <map>
-#include <span>
 
 #include "io/polygon.h"
+#include "scene/normals.h"
 
 namespace blysk::io {
 namespace {
@@ -68,31 +69,28 @@ void for_each_face(const ObjFile& file, const ObjRun& run, Work&& work) {
   }
 }
 
-// Triangles of faces, whose corners are given as vertices of a mesh.
-class Triangulator {
- public:
-  explicit Triangulator(const Array<Vec3f>& positions, Array<std::uint32_t>& indices)
-      : positions_(positions), indices_(indices) {}
-
-  // `vertices` go into the mesh, `places` tell where the corners are.
-  void add(std::span<const std::uint32_t> vertices, std::span<const std::uint32_t> places) {
-    if (vertices.size() == 3) {
-      indices_.insert(indices_.end(), vertices.begin(), vertices.end());
-      return;
-    }
-    corners_.clear();
-    for (const std::uint32_t place : places) corners_.push_back(positions_[place]);
-    local_.clear();
-    triangulate(corners_, local_);
-    for (const std::uint32_t i : local_) indices_.push_back(vertices[i]);
+// Calls work(corner, corner, corner) for every triangle of a part, polygons being cut.
+template <class Work>
+void for_each_triangle(const ObjFile& file, const ObjPart& part, Work&& work) {
+  std::vector<Vec3f> polygon;
+  Array<std::uint32_t> cut;
+  for (const ObjRun& run : part.runs) {
+    for_each_face(file, run, [&](std::size_t first, std::size_t corners) {
+      if (corners == 3) {
+        work(first, first + 1, first + 2);
+        return;
+      }
+      polygon.clear();
+      for (std::size_t i = first; i < first + corners; ++i) {
+        polygon.push_back(file.positions[file.corner_positions[i]]);
+      }
+      cut.clear();
+      triangulate(polygon, cut);
+      for (std::size_t i = 0; i < cut.size(); i += 3)
+        work(first + cut[i], first + cut[i + 1], first + cut[i + 2]);
+    });
   }
-
- private:
-  const Array<Vec3f>& positions_;
-  Array<std::uint32_t>& indices_;
-  std::vector<Vec3f> corners_;
-  Array<std::uint32_t> local_;
-};
+}
 
 std::size_t index_count(const ObjPart& part) {
   std::size_t count = 0;
@@ -119,13 +117,9 @@ Mesh take_whole(ObjFile&& file, const ObjPart& part) {
     mesh.indices = std::move(file.corner_positions);
   } else {
     mesh.indices.reserve(index_count(part));
-    Triangulator triangulator(file.positions, mesh.indices);
-    for (const ObjRun& run : part.runs) {
-      for_each_face(file, run, [&](std::size_t corner, std::size_t corners) {
-        const std::span<const std::uint32_t> places(file.corner_positions.data() + corner, corners);
-        triangulator.add(places, places);
-      });
-    }
+    for_each_triangle(file, part, [&](std::size_t a, std::size_t b, std::size_t c) {
+      for (const std::size_t corner : {a, b, c}) mesh.indices.push_back(file.corner_positions[corner]);
+    });
   }
   if (!file.corner_texcoords.empty()) mesh.texcoords = std::move(file.texcoords);
   if (!file.corner_normals.empty()) mesh.normals = std::move(file.normals);
@@ -145,22 +139,19 @@ Array<T> gather(const Array<T>& list, const VertexTable& table, std::uint32_t Ve
   return values;
 }
 
-Mesh gather_part(const ObjFile& file, const ObjPart& part, VertexTable& table) {
+// `normals`, if there are any, are those of the part's triangles, corner by corner, and count instead of
+// the normals of the file's corners.
+Mesh gather_part(const ObjFile& file, const ObjPart& part, VertexTable& table, const std::uint32_t* normals) {
   Mesh mesh;
   mesh.indices.reserve(index_count(part));
-  Triangulator triangulator(file.positions, mesh.indices);
-  std::vector<std::uint32_t> vertices;
-  for (const ObjRun& run : part.runs) {
-    for_each_face(file, run, [&](std::size_t first, std::size_t corners) {
-      vertices.clear();
-      for (std::size_t i = first; i < first + corners; ++i) {
-        vertices.push_back(table.number(file.corner_positions[i],
-                                        file.corner_texcoords.empty() ? kNone : file.corner_texcoords[i],
-                                        file.corner_normals.empty() ? kNone : file.corner_normals[i]));
-      }
-      triangulator.add(vertices, {file.corner_positions.data() + first, corners});
-    });
-  }
+  for_each_triangle(file, part, [&](std::size_t a, std::size_t b, std::size_t c) {
+    for (const std::size_t corner : {a, b, c}) {
+      const std::uint32_t texcoord = file.corner_texcoords.empty() ? kNone : file.corner_texcoords[corner];
+      std::uint32_t normal = file.corner_normals.empty() ? kNone : file.corner_normals[corner];
+      if (normals != nullptr) normal = *normals++;
+      mesh.indices.push_back(table.number(file.corner_positions[corner], texcoord, normal));
+    }
+  });
   mesh.positions = gather(file.positions, table, &VertexTable::Entry::position);
   mesh.colors = gather(file.colors, table, &VertexTable::Entry::position);
   mesh.texcoords = gather(file.texcoords, table, &VertexTable::Entry::texcoord);
@@ -185,6 +176,8 @@ Vec3d face_normal(const ObjFile& file, std::size_t first, std::size_t corners) {
   const double l = length(sum);
   return l <= 1e300 ? sum : Vec3d{};
 }
+
+bool is_finite(Vec3f p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 bool lacks_normals(const ObjFile& file, const ObjRun& run) {
   if (file.corner_normals.empty()) return true;
@@ -289,15 +282,43 @@ void smooth_groups(ObjFile& file, const std::vector<ObjPart>& parts) {
   normals.finish();
 }
 
-std::vector<Mesh> make_meshes(ObjFile&& file, const std::vector<ObjPart>& parts) {
+Array<std::uint32_t> crease_normals(ObjFile& file, const std::vector<ObjPart>& parts, double crease_deg,
+                                    int threads) {
+  Array<std::uint32_t> normals;
+  if (parts.size() < 2 || !file.corner_normals.empty() || !(crease_deg > 0)) return normals;
+  Mesh whole;
+  whole.positions = file.positions;
+  for (Vec3f& p : whole.positions) p = is_finite(p) ? p : Vec3f{};
+  for (const ObjPart& part : parts) {
+    for_each_triangle(file, part, [&](std::size_t a, std::size_t b, std::size_t c) {
+      const std::array corners{file.corner_positions[a], file.corner_positions[b], file.corner_positions[c]};
+      const bool finite = std::all_of(corners.begin(), corners.end(),
+                                      [&](std::uint32_t i) { return is_finite(file.positions[i]); });
+      if (finite) whole.indices.insert(whole.indices.end(), corners.begin(), corners.end());
+      normals.insert(normals.end(), 3, finite ? 0 : kNone);
+    });
+  }
+  ThreadPool pool(whole.triangles() < kTrianglesWorthThreads ? 1 : threads);
+  make_normals(whole, crease_deg, pool);
+  // The triangles are still where they were; their corners are now the numbers of their normals.
+  auto corner = whole.indices.begin();
+  for (std::uint32_t& normal : normals) normal = normal == kNone ? kNone : *corner++;
+  file.normals = std::move(whole.normals);
+  return normals;
+}
+
+std::vector<Mesh> make_meshes(ObjFile&& file, const std::vector<ObjPart>& parts,
+                              const Array<std::uint32_t>& triangle_normals) {
   std::vector<Mesh> meshes;
   if (is_one_mesh(file, parts)) {
     meshes.push_back(take_whole(std::move(file), parts.front()));
     return meshes;
   }
   VertexTable table(file.positions.size());
+  const std::uint32_t* normals = triangle_normals.empty() ? nullptr : triangle_normals.data();
   for (const ObjPart& part : parts) {
-    meshes.push_back(gather_part(file, part, table));
+    meshes.push_back(gather_part(file, part, table, normals));
+    if (normals != nullptr) normals += meshes.back().indices.size();
     table.clear();
   }
   return meshes;

@@ -32,8 +32,15 @@ struct ObjPart {
 /// `s`) get their own normal. Files that say `s off` only, or nothing, are left to make_normals().
 void smooth_groups(ObjFile& file, const std::vector<ObjPart>& parts);
 
+/// Normals as make_normals() gives them, but over all parts at once: a change of material is no edge. For
+/// files of several materials without any normal; for others, and crease_deg 0, there are none. The result
+/// has one index into file.normals for each corner of the parts' triangles.
+[[nodiscard]] Array<std::uint32_t> crease_normals(ObjFile& file, const std::vector<ObjPart>& parts,
+                                                  double crease_deg, int threads);
+
 /// Meshes of the parts, without names. Vertices are the distinct combinations of indices; corners without a
-/// normal in a mesh with normals get zero, for mend_normals().
-[[nodiscard]] std::vector<Mesh> make_meshes(ObjFile&& file, const std::vector<ObjPart>& parts);
+/// normal in a mesh with normals get zero, for mend_normals(). `triangle_normals`: of crease_normals().
+[[nodiscard]] std::vector<Mesh> make_meshes(ObjFile&& file, const std::vector<ObjPart>& parts,
+                                            const Array<std::uint32_t>& triangle_normals);
 
 }  // namespace blysk::io

@@ -239,6 +239,34 @@ TEST(obj, groups_smooth_across_materials) {
   EXPECT_EQ(scene.meshes[0].normals[1], scene.meshes[1].normals[3]);
 }
 
+// Three squares in a row, bent by 45 degrees each, in two materials.
+TEST(obj, creases_are_found_across_materials) {
+  const std::string text =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1.7 0 -.7\nv 1.7 1 -.7\nv 1.7 0 -1.7\nv 1.7 1 -1.7\nv nan 0 0\n"
+      "usemtl a\nf 1 2 3 4\nf 5 7 8 6\nf 2 3 9\nusemtl b\nf 2 5 6 3\n";
+  const Scene scene = scene_of(text);
+  ASSERT_EQ(scene.meshes.size(), 2u);
+  const Mesh &a = scene.meshes[0], &b = scene.meshes[1];
+  EXPECT_EQ(a.triangles(), 4u);
+  int shared = 0;
+  for (std::size_t i = 0; i < a.positions.size(); ++i) {
+    for (std::size_t j = 0; j < b.positions.size(); ++j) {
+      if (a.positions[i] != b.positions[j]) continue;
+      ++shared;
+      EXPECT_EQ(a.normals[i], b.normals[j]);
+      EXPECT_GT(a.normals[i].x, 0.2f);
+      EXPECT_LT(a.normals[i].x, 0.99f);
+    }
+  }
+  EXPECT_EQ(shared, 4);
+  Source source;
+  source.bytes = std::as_bytes(std::span(text));
+  source.options.crease_deg = 0;
+  EXPECT_TRUE(read_obj(source)->meshes[1].normals.empty());
+  source.options.crease_deg = 30;
+  EXPECT_EQ(read_obj(source)->meshes[0].normals[1], (Vec3f{0, 0, 1}));
+}
+
 TEST(obj, normals_of_the_file_go_before_groups) {
   const Mesh mesh = mesh_of(kTriangle + "vn 1 0 0\ns 1\nf 1//1 2//1 3//1\n");
   EXPECT_EQ(mesh.normals[0], (Vec3f{1, 0, 0}));
