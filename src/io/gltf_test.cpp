@@ -198,8 +198,8 @@ TEST(gltf, messages_are_one_line) {
   EXPECT_EQ(error.find('\n'), std::string::npos);
   Document d = triangle_model();
   d.array<std::uint8_t>("SCALAR", 1, {0, 0, 0});
-  d.more =
-      R"(,"meshes":[{"name":"a\nb","primitives":[{"attributes":{"POSITION":0},"indices":2}]}],"nodes":[{"mesh":0}])";
+  d.more = R"(,"meshes":[{"name":"a\nb","primitives":[{"attributes":{"POSITION":0},"indices":2}]}],)"
+           R"("nodes":[{"mesh":0}])";
   const auto degenerate = read(d.gltf());
   ASSERT_TRUE(degenerate) << degenerate.error().text();
   EXPECT_EQ(degenerate->problems.at(0), "mesh a?b: left out 1 degenerate triangles");
