@@ -125,6 +125,10 @@ void check_extensions(Context& context, Json root) {
   }
 }
 
+std::string_view name_of(const gltf::Placement& placement, const gltf::Primitive& primitive) {
+  return placement.name.empty() ? std::string_view(primitive.name) : placement.name;
+}
+
 // What the placements ask for, before any of it is read.
 void check_size(Context& context, gltf::Meshes& meshes, const std::vector<gltf::Placement>& placements) {
   std::uint64_t triangles = 0;
@@ -132,7 +136,7 @@ void check_size(Context& context, gltf::Meshes& meshes, const std::vector<gltf::
     if (placement.mesh == gltf::kNone) continue;
     for (const gltf::Primitive& primitive : meshes.primitives(placement.mesh)) {
       triangles += std::min(primitive.triangles, gltf::kMaxWhole - std::min(triangles, gltf::kMaxWhole));
-      if (!context.allow(sizeof(Instance), placement.json)) return;
+      if (!context.allow(sizeof(Instance) + name_of(placement, primitive).size(), placement.json)) return;
     }
     if (context.failed()) return;
   }
@@ -157,8 +161,7 @@ void add_instances(Context& context, gltf::Meshes& meshes, const std::vector<glt
       instance.material =
           primitive.material == gltf::kNone ? *default_index : static_cast<std::uint32_t>(primitive.material);
       instance.transform = placement.mesh_to_world;
-      const std::string_view name = placement.json["name"].text();
-      instance.name = name.empty() ? primitive.name : std::string(name);
+      instance.name = name_of(placement, primitive);
       scene.instances.push_back(std::move(instance));
     }
   }

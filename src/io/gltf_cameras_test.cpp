@@ -56,9 +56,9 @@ TEST(gltf_cameras, perspective) {
 }
 
 TEST(gltf_cameras, orthographic) {
-  const auto scene = scene_with(
-      R"({"camera":0})",
-      R"(,"cameras":[{"name":"top","type":"orthographic","orthographic":{"xmag":2,"ymag":1.5,"znear":0.01,"zfar":100}}])");
+  const auto scene =
+      scene_with(R"({"camera":0})", R"(,"cameras":[{"name":"top","type":"orthographic",)"
+                                    R"("orthographic":{"xmag":2,"ymag":1.5,"znear":0.01,"zfar":100}}])");
   ASSERT_TRUE(scene) << scene.error().text();
   ASSERT_EQ(scene->cameras.size(), 1u);
   EXPECT_EQ(scene->cameras[0].height, 3);

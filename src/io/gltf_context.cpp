@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kMaxQuoted = 80;
 constexpr std::size_t kMaxPath = 200;
+constexpr std::size_t kMaxProblem = 400;  // bytes of one
 constexpr std::size_t kMaxProblems = 32;
 
 // References let a small file describe much more than it holds. Shared vertices, instances and widened
@@ -73,7 +74,7 @@ void Context::fail(Error error) {
 
 void Context::problem(Json where, const std::string& what) {
   if (problems_.size() < kMaxProblems) {
-    problems_.push_back(at_path(where, what));
+    problems_.push_back(one_line(at_path(where, what), kMaxProblem));
   } else {
     ++more_problems_;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,7 +45,8 @@ void set_surface(Material& material, const Surface& s) {
   material.color = s.base * (1 - s.metallic * (1 - kMetalDiffuse));
 }
 
-// Texture and image indices to Scene::textures, each image once.
+// Texture indices to those of Scene::textures, where each image stands once. What many materials share is
+// looked at once, so that time stays in proportion to the file's size.
 class Textures {
  public:
   Textures(Context& context, Json root, Buffers& buffers, Scene& scene)
@@ -53,7 +55,8 @@ class Textures {
         scene_(scene),
         textures_(context.list(root, "textures")),
         images_(context.list(root, "images")),
-        known_(images_.size(), Material::kNoTexture) {}
+        by_texture_(textures_.size()),
+        by_image_(images_.size()) {}
 
   /// The texture that a material's member names.
   int read(Json owner, std::string_view name) {
@@ -62,21 +65,26 @@ class Textures {
     context_.require(info, "index");
     const int texture = context_.index(info, "index", textures_.size(), "texture");
     if (texture == kNone) return Material::kNoTexture;
+    std::optional<int>& known = by_texture_[static_cast<std::size_t>(texture)];
+    if (!known) known = read_texture(textures_[static_cast<std::size_t>(texture)]);
+    return *known;
+  }
+
+ private:
+  int read_texture(Json texture) {
     // Without a source the image is in a format that an extension adds.
-    const int image =
-        context_.index(textures_[static_cast<std::size_t>(texture)], "source", images_.size(), "image");
+    const int image = context_.index(texture, "source", images_.size(), "image");
     if (image == kNone) return Material::kNoTexture;
-    int& known = known_[static_cast<std::size_t>(image)];
-    if (known == Material::kNoTexture) {
+    std::optional<int>& known = by_image_[static_cast<std::size_t>(image)];
+    if (!known) {
       TextureReference reference = read_image(images_[static_cast<std::size_t>(image)]);
       if (context_.failed()) return Material::kNoTexture;
       known = static_cast<int>(scene_.textures.size());
       scene_.textures.push_back(std::move(reference));
     }
-    return known;
+    return *known;
   }
 
- private:
   TextureReference read_image(Json image) {
     TextureReference reference;
     reference.name = image["name"].text();
@@ -107,7 +115,7 @@ class Textures {
   Buffers& buffers_;
   Scene& scene_;
   std::vector<Json> textures_, images_;
-  std::vector<int> known_;  // by image
+  std::vector<std::optional<int>> by_texture_, by_image_;
 };
 
 AlphaMode read_alpha_mode(Context& context, Json json) {

@@ -25,9 +25,10 @@ std::string pbr(const std::string& members) { return R"("pbrMetallicRoughness":{
 }  // namespace
 
 TEST(gltf_materials, factors) {
-  const Material m = material_of(
-      R"("name":"paint","alphaMode":"MASK","alphaCutoff":0.25,"doubleSided":true,"emissiveFactor":[0.1,0.2,0.3],)" +
-      pbr(R"("baseColorFactor":[0.2,0.4,0.6,0.8],"metallicFactor":0,"roughnessFactor":1)"));
+  const Material m =
+      material_of(R"("name":"paint","alphaMode":"MASK","alphaCutoff":0.25,)"
+                  R"("doubleSided":true,"emissiveFactor":[0.1,0.2,0.3],)" +
+                  pbr(R"("baseColorFactor":[0.2,0.4,0.6,0.8],"metallicFactor":0,"roughnessFactor":1)"));
   EXPECT_EQ(m.name, "paint");
   EXPECT_EQ(m.color, (Vec3f{0.2f, 0.4f, 0.6f}));
   EXPECT_EQ(m.opacity, 0.8f);

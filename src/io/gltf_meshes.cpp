@@ -76,6 +76,8 @@ const std::vector<Primitive>& Meshes::primitives(int mesh) {
   for (const Json& json : context_.list(entry.json, "primitives")) {
     const std::string place =
         "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(number++) + "]";
+    // The name goes to the primitive and to its mesh.
+    if (!context_.allow(2 * name.size(), json)) break;
     read_primitive(entry, json, name.empty() ? place : std::string(name));
     if (context_.failed()) break;
   }

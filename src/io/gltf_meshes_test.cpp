@@ -179,9 +179,10 @@ TEST(gltf_meshes, nodes_and_materials_share_geometry) {
 
 TEST(gltf_meshes, points_and_lines_are_counted) {
   Document d = triangle();
-  d.more =
-      R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":0},{"attributes":{"POSITION":0},"mode":1},)"
-      R"({"attributes":{"POSITION":0},"mode":3},{"attributes":{}},{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}])";
+  d.more = R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":0},)"
+           R"({"attributes":{"POSITION":0},"mode":1},)"
+           R"({"attributes":{"POSITION":0},"mode":3},{"attributes":{}},{"attributes":{"POSITION":0}}]}],)"
+           R"("nodes":[{"mesh":0}])";
   const auto scene = read(d.gltf());
   ASSERT_TRUE(scene) << scene.error().text();
   EXPECT_EQ(scene->triangles(), 1u);
@@ -224,8 +225,8 @@ TEST(gltf_meshes, what_is_wrong_with_a_primitive) {
 
 TEST(gltf_meshes, triangles_are_limited_before_they_are_read) {
   Document d = triangle();
-  d.more =
-      R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0},{"mesh":0},{"mesh":0}])";
+  d.more = R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+           R"("nodes":[{"mesh":0},{"mesh":0},{"mesh":0}])";
   EXPECT_TRUE(read(d.gltf(), {.max_triangles = 3}));
   const auto scene = read(d.gltf(), {.max_triangles = 2});
   ASSERT_FALSE(scene);

@@ -107,6 +107,7 @@ std::vector<int> scene_roots(Context& context, Json root, const std::vector<Node
 Placement read_placement(Context& context, Json node, const NodeTargets& targets) {
   Placement placement;
   placement.json = node;
+  placement.name = node["name"].text();
   placement.mesh = context.index(node, "mesh", targets.meshes, "mesh");
   placement.camera = context.index(node, "camera", targets.cameras, "camera");
   placement.light =

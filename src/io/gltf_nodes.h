@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "io/gltf_context.h"
@@ -16,6 +17,7 @@ struct NodeTargets {
 /// A node of the scene that holds something.
 struct Placement {
   Json json;
+  std::string_view name;
   Mat4 world;
   Mat4 mesh_to_world;  ///< as `world`, unless a skin says otherwise
   int mesh = kNone, camera = kNone, light = kNone;

@@ -171,10 +171,38 @@ TEST(gltf, problems_are_kept_in_number) {
   EXPECT_EQ(scene->problems.back(), "68 further problems of these kinds");
 }
 
+// What is shared must not be paid for by everyone who shares it.
+TEST(gltf, sharing_costs_no_time_or_memory) {
+  constexpr int kMany = 20000;
+  std::string junk, cameras, materials, primitives;
+  for (int i = 0; i < kMany; ++i) {
+    const std::string comma = i == 0 ? "" : ",";
+    junk += ",\"j" + std::to_string(i) + "\":0";
+    cameras += comma + R"({"camera":0})";
+    materials += comma + R"({"normalTexture":{"index":0}})";
+    primitives += comma + R"({"attributes":{"POSITION":0}})";
+  }
+  Document d = triangle();
+  d.more = R"(,"nodes":[)" + cameras + R"(],"materials":[)" + materials + R"(],"textures":[{"x":0)" + junk +
+           R"(}],"cameras":[{"x":0)" + junk + "}]";
+  EXPECT_EQ(error_of(d.gltf()), "read");  // takes minutes unless each is looked at once
+  const std::string name(1'000'000, 'n');
+  d.more =
+      R"(,"meshes":[{"name":")" + name + R"(","primitives":[)" + primitives + R"(]}],"nodes":[{"mesh":0}])";
+  EXPECT_TRUE(contains(error_of(d.gltf()), "unpacks to more than")) << error_of(d.gltf());
+}
+
 TEST(gltf, messages_are_one_line) {
   const std::string error =
       error_of(R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"camera\n":1,"mesh":5}]})");
   EXPECT_EQ(error.find('\n'), std::string::npos);
+  Document d = triangle_model();
+  d.array<std::uint8_t>("SCALAR", 1, {0, 0, 0});
+  d.more = R"(,"meshes":[{"name":"a\nb","primitives":[{"attributes":{"POSITION":0},"indices":2}]}],)"
+           R"("nodes":[{"mesh":0}])";
+  const auto degenerate = read(d.gltf());
+  ASSERT_TRUE(degenerate) << degenerate.error().text();
+  EXPECT_EQ(degenerate->problems.at(0), "mesh a?b: left out 1 degenerate triangles");
   const std::string version = error_of(with_asset(R"({"version":"1\n2)" + std::string(5000, 'x') + "\"}"));
   EXPECT_EQ(version.find('\n'), std::string::npos);
   EXPECT_LT(version.size(), 300u);
