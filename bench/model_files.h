@@ -1,0 +1,15 @@
+// bench/model_files.h - a mesh as the bytes of a model file, positions and triangles alone.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "blysk/scene.h"
+
+namespace blysk::bench {
+
+/// Format "obj", "stl" (binary), "ply" (binary) or "glb".
+[[nodiscard]] std::vector<std::byte> model_file(const Mesh& mesh, std::string_view format);
+
+}  // namespace blysk::bench
