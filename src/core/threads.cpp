@@ -6,8 +6,10 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace blysk {
@@ -28,13 +30,19 @@ struct ThreadPool::State {
   std::atomic<int> busy{0};
   std::atomic<std::uint64_t> generation{0};
   std::atomic<bool> stop{false};
+  std::exception_ptr thrown;  // the first of a loop, guarded by mutex
   int spins = 0;
 
   void drain(int worker) {
     for (;;) {
       const std::size_t item = next.fetch_add(1, std::memory_order_relaxed);
       if (item >= items) return;
-      (*work)(worker, item);
+      try {
+        (*work)(worker, item);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!thrown) thrown = std::current_exception();
+      }
     }
   }
 
@@ -104,6 +112,7 @@ void ThreadPool::for_each(std::size_t items, const std::function<void(int, std::
   s.wake.notify_all();
   s.drain(0);
   while (s.busy.load(std::memory_order_acquire) != 0) std::this_thread::yield();
+  if (s.thrown) std::rethrow_exception(std::exchange(s.thrown, nullptr));
 }
 
 }  // namespace blysk

@@ -21,7 +21,7 @@ class ThreadPool {
   [[nodiscard]] int size() const;
 
   /// Calls work(worker, item) for every item in 0..items-1, worker in 0..size()-1. Each worker sees its
-  /// items in ascending order. Returns when all are done. `work` must not throw.
+  /// items in ascending order. Returns when all are done; then throws the first exception that `work` threw.
   void for_each(std::size_t items, const std::function<void(int worker, std::size_t item)>& work);
 
  private:

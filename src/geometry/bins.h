@@ -66,9 +66,10 @@ constexpr std::size_t bin_index(std::size_t tile, Stream stream) {
 /// that the rest must not need (tools/check-kernels).
 class ThreadBins {
  public:
-  void reset(std::size_t tiles);
+  /// Empties all lists; no more than `max_bytes` will go into new ones.
+  void reset(std::size_t tiles, std::size_t max_bytes);
   [[nodiscard]] Bin* bins();  ///< of tile t and stream s at bin_index(t, s)
-  /// Appends an empty block to a list.
+  /// Appends an empty block to a list; std::bad_alloc beyond max_bytes.
   void grow(Bin& bin);
   [[nodiscard]] std::size_t memory() const;
 
@@ -76,7 +77,7 @@ class ThreadBins {
   static constexpr std::size_t kChunkBlocks = 1024;
   std::vector<Bin> bins_;
   std::vector<std::unique_ptr<BinBlock[]>> chunks_;
-  std::size_t used_blocks_ = 0;
+  std::size_t used_blocks_ = 0, max_blocks_ = 0;
 };
 
 /// Out of line for the kernels.

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "lighting/lamp.h"
-#include "math/approx.h"
+#include "simd/approx.h"
 #include "simd/lanes.h"
 
 namespace blysk::BLYSK_ISA {

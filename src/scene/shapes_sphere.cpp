@@ -104,6 +104,7 @@ Scene make_spheres(const Arguments& arguments) {
   light.name = "thesis";
   scene.lights.push_back(light);
   Camera camera;
+  camera.fov_deg = 45;
   camera.eye = {0, 1, 4};
   camera.near_distance = 0.1;
   camera.far_distance = 100;

@@ -77,6 +77,7 @@ Scene make_triangles(const Arguments& arguments) {
   material.color = {1, 1, 1};
   Scene scene = scene_of(std::move(mesh), "triangles", material);
   Camera camera;
+  camera.fov_deg = 45;
   camera.name = "front";
   scene.cameras.push_back(camera);
   return scene;

@@ -1,4 +1,4 @@
-// math/approx.h - roots, logarithms and powers of kernels, from + - * and integers alone.
+// simd/approx.h - roots, logarithms and powers of kernels, from + - * and integers alone.
 //
 // Exact division and square root are the slow instructions of a processor, its approximate ones differ
 // between vendors. These polynomials are neither. Every template serves float and F32 with the same bits. The
