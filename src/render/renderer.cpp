@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstring>
+#include <new>
 
 #include "blysk/render.h"
 #include "core/threads.h"
@@ -20,6 +21,14 @@ double ms_between(Clock::time_point a, Clock::time_point b) {
 
 // Work is cut where it no longer matters for balance, but still fits a second-level cache.
 constexpr std::size_t kChunkVertices = 16384, kChunkTriangles = 8192;
+
+Error out_of_memory(const RenderOptions& options) {
+  return {ErrorCode::limit,
+          "the frame needs more memory than there is or than the limit of " +
+              std::to_string(options.limits.max_memory >> 20) + " MB (max_memory) allows",
+          {},
+          0};
+}
 
 struct Chunk {
   std::uint32_t draw;
@@ -61,6 +70,7 @@ struct Renderer::State {
   void draw_tile(Worker& worker, const RenderOptions& options, int tiles_x, std::size_t tile,
                  ShadeFunction shade, Frame& frame);
   void shade_draws(Worker& worker, ShadeJob& job, ShadeFunction function);
+  [[nodiscard]] std::uint64_t memory_of_vertices() const { return plan.vertices * sizeof(ScreenVertex); }
   [[nodiscard]] std::uint64_t memory() const;
 };
 
@@ -84,8 +94,9 @@ void Renderer::State::transform() {
 }
 
 void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::size_t tiles) {
+  const std::size_t room = (options.limits.max_memory - memory_of_vertices()) / workers.size();
   for (Worker& w : workers) {
-    w.bins.reset(tiles);
+    w.bins.reset(tiles, room);
     w.rest.resize(kChunkTriangles + 16);
     w.culled = w.drawn = w.covered = 0;
     w.blank = false;  // the background may have changed
@@ -227,14 +238,10 @@ std::uint64_t Renderer::State::memory() const {
 Status Renderer::State::render(const Scene& scene, const RenderOptions& options, Frame& frame) {
   const Clock::time_point start = Clock::now();
   if (const Status s = plan_frame(scene, options, plan); !s) return s.error();
-  const std::uint64_t need =
-      plan.vertices * sizeof(ScreenVertex) + std::uint64_t{4} * static_cast<std::uint64_t>(options.width) *
-                                                 static_cast<std::uint64_t>(options.height);
-  if (need > options.limits.max_memory) {
-    return Error{ErrorCode::limit,
-                 "the frame needs " + std::to_string(need >> 20) + " MB, more than max_memory allows",
-                 {},
-                 0};
+  if (memory_of_vertices() + std::uint64_t{4} * static_cast<std::uint64_t>(options.width) *
+                                 static_cast<std::uint64_t>(options.height) >
+      options.limits.max_memory) {
+    return out_of_memory(options);
   }
   frame.image.resize(options.width, options.height);
   const std::size_t pixels = frame.image.pixels.size();
@@ -279,7 +286,11 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 Status Renderer::render(const Scene& scene, const RenderOptions& options, Frame& frame) {
-  return state_->render(scene, options, frame);
+  try {
+    return state_->render(scene, options, frame);
+  } catch (const std::bad_alloc&) {
+    return out_of_memory(options);
+  }
 }
 
 Result<Frame> Renderer::render(const Scene& scene, const RenderOptions& options) {
