@@ -17,9 +17,9 @@ template <>
 struct IntegerOf<float> {
   using type = std::int32_t;
 };
-template <>
-struct IntegerOf<F32> {
-  using type = I32;
+template <int kRegisters>
+struct IntegerOf<Floats<kRegisters>> {
+  using type = Ints<kRegisters>;
 };
 template <class F>
 using Integer = typename IntegerOf<F>::type;
@@ -29,8 +29,8 @@ template <int kStride>
 BLYSK_INLINE void fetch_row(const float* base, std::int32_t index, float row[4]) {
   std::memcpy(row, base + std::ptrdiff_t{kStride} * index, 4 * sizeof(float));
 }
-template <int kStride>
-BLYSK_INLINE void fetch_row(const float* base, I32 index, F32 row[4]) {
+template <int kStride, int kRegisters>
+BLYSK_INLINE void fetch_row(const float* base, Ints<kRegisters> index, Floats<kRegisters> row[4]) {
   gather_rows<kStride>(base, index, row);
 }
 

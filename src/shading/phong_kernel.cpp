@@ -82,11 +82,11 @@ struct NormalSink {
       write(job, place[i], x[place[i] - at], y[place[i] - at], z[place[i] - at]);
   }
   static BLYSK_INLINE void scatter(const ShadeJob& job, const std::int32_t* at, int count,
-                                   const Rgb<F32>& c) {
-    float x[kLanes], y[kLanes], z[kLanes];
-    store(c.x, x);
-    store(c.y, y);
-    store(c.z, z);
+                                   const Rgb<F32Wide>& c) {
+    float x[kWideLanes], y[kWideLanes], z[kWideLanes];
+    store_all(c.x, x);
+    store_all(c.y, y);
+    store_all(c.z, z);
     for (int i = 0; i < count; ++i) write(job, at[i], x[i], y[i], z[i]);
   }
   static BLYSK_INLINE void write(const ShadeJob& job, int at, float x, float y, float z) {

@@ -53,16 +53,16 @@ struct ColorSink {
     store_all(pack(job, c), job.buffers->color + at);
   }
   static BLYSK_INLINE void scatter(const ShadeJob& job, const std::int32_t* at, int count,
-                                   const Rgb<F32>& c) {
-    std::int32_t pixel[kLanes];
-    store(pack(job, c), pixel);
-    for (int i = 0; i < count; ++i) job.buffers->color[at[i]] = static_cast<std::uint32_t>(pixel[i]);
+                                   const Rgb<F32Wide>& c) {
+    std::uint32_t pixel[kWideLanes];
+    store_all(pack(job, c), pixel);
+    for (int i = 0; i < count; ++i) job.buffers->color[at[i]] = pixel[i];
   }
 };
 
-/// Pixels that wait until sixteen have come together.
+/// Pixels that wait until they fill the lanes.
 struct Strays {
-  std::int32_t triangle[2 * kLanes], at[2 * kLanes];
+  std::int32_t triangle[kWideLanes + kLanes], at[kWideLanes + kLanes];
   int count = 0;
 };
 
@@ -153,17 +153,17 @@ class DrawShader {
   BLYSK_INLINE void gather_strays(Mask mine, I32 id, int at) {
     store_compressed(mine, id - first_id_, strays_.triangle + strays_.count);
     strays_.count += store_compressed(mine, iota(at), strays_.at + strays_.count);
-    if (strays_.count < kLanes) return;
-    shade_strays(kLanes);
-    strays_.count -= kLanes;
-    store(load(strays_.triangle + kLanes), strays_.triangle);
-    store(load(strays_.at + kLanes), strays_.at);
+    if (strays_.count < kWideLanes) return;
+    shade_strays(kWideLanes);
+    strays_.count -= kWideLanes;
+    store(load(strays_.triangle + kWideLanes), strays_.triangle);
+    store(load(strays_.at + kWideLanes), strays_.at);
   }
 
   BLYSK_INLINE void flush_strays() {
     if (strays_.count == 0) return;
     // Lanes past the last pixel repeat it: their work is thrown away, but it must be sound.
-    for (int i = strays_.count; i < kLanes; ++i) {
+    for (int i = strays_.count; i < kWideLanes; ++i) {
       strays_.triangle[i] = strays_.triangle[strays_.count - 1];
       strays_.at[i] = strays_.at[strays_.count - 1];
     }
@@ -172,12 +172,13 @@ class DrawShader {
 
   // One copy of the gathered code: it is large.
   __attribute__((noinline)) void shade_strays(int count) {
-    const I32 at = load(strays_.at);
-    const F32 x = centers((at & I32(kTileSize - 1)) + I32(job_.x));
-    const F32 y = centers(shift_right<kTileBits>(at) + I32(job_.y));
-    const auto triangle = Method::template set_up_triangle<F32>(job_, load(strays_.triangle));
+    const auto at = load_wide(strays_.at);
+    using I = decltype(at + at);
+    const F32Wide x = centers((at & I(kTileSize - 1)) + I(job_.x));
+    const F32Wide y = centers(shift_right<kTileBits>(at) + I(job_.y));
+    const auto triangle = Method::template set_up_triangle<F32Wide>(job_, load_wide(strays_.triangle));
     const auto span = Method::set_up_span(job_, triangle, y);
-    const F32 nearness = gather(job_.buffers->nearness, at);
+    const F32Wide nearness = gather(job_.buffers->nearness, at);
     Sink::scatter(job_, strays_.at, count, Method::shade(job_, triangle, span, x, y, nearness));
   }
 

@@ -171,6 +171,12 @@ BLYSK_INLINE F32Wide load_wide(const float* p) {
   return r;
 }
 
+BLYSK_INLINE Ints<kWideParts> load_wide(const std::int32_t* p) {
+  Ints<kWideParts> r;
+  for (int i = 0; i < kWideParts; ++i) r.part[i] = hn::LoadU(IntTag(), p + i * kPartLanes);
+  return r;
+}
+
 BLYSK_INLINE I32 load(const std::int32_t* p) {
   I32 r;
   BLYSK_EACH_PART r.part[i] = hn::LoadU(IntTag(), p + i * kPartLanes);
@@ -185,6 +191,11 @@ BLYSK_INLINE void store(F32 a, float* p) {
 
 BLYSK_INLINE void store(I32 a, std::int32_t* p) {
   BLYSK_EACH_PART hn::StoreU(a.part[i], IntTag(), p + i * kPartLanes);
+}
+
+template <int kRegisters>
+BLYSK_INLINE void store_all(Floats<kRegisters> a, float* p) {
+  for (int i = 0; i < kRegisters; ++i) hn::StoreU(a.part[i], FloatTag(), p + i * kPartLanes);
 }
 
 template <int kRegisters>
@@ -233,18 +244,19 @@ BLYSK_INLINE Ints<kRegisters> gather(const std::uint32_t* base, Ints<kRegisters>
   return r;
 }
 
-BLYSK_INLINE F32 gather(const float* base, I32 index) {
-  F32 r;
-  BLYSK_EACH_PART r.part[i] = hn::GatherIndex(FloatTag(), base, index.part[i]);
+template <int kRegisters>
+BLYSK_INLINE Floats<kRegisters> gather(const float* base, Ints<kRegisters> index) {
+  Floats<kRegisters> r;
+  for (int i = 0; i < kRegisters; ++i) r.part[i] = hn::GatherIndex(FloatTag(), base, index.part[i]);
   return r;
 }
 
 /// Sixteen rows of four floats, each at base + stride * index, as four columns: what gather() would give for
 /// four neighbouring elements, at a quarter of the loads. All four floats of every row must be readable.
-template <int kStride>
-BLYSK_INLINE void gather_rows(const float* base, I32 index, F32 columns[4]) {
-  std::int32_t at[kLanes];
-  BLYSK_EACH_PART hn::StoreU(index.part[i], IntTag(), at + i * kPartLanes);
+template <int kStride, int kRegisters>
+BLYSK_INLINE void gather_rows(const float* base, Ints<kRegisters> index, Floats<kRegisters> columns[4]) {
+  std::int32_t at[kRegisters * kPartLanes];
+  for (int i = 0; i < kRegisters; ++i) hn::StoreU(index.part[i], IntTag(), at + i * kPartLanes);
 #if HWY_TARGET == HWY_SCALAR
   for (int i = 0; i < kLanes; ++i) {
     for (int k = 0; k < 4; ++k)
@@ -252,7 +264,7 @@ BLYSK_INLINE void gather_rows(const float* base, I32 index, F32 columns[4]) {
   }
 #else
   const hn::Full128<float> row_tag;
-  BLYSK_EACH_PART {
+  for (int i = 0; i < kRegisters; ++i) {
     // Register k holds the rows k, k + 4, ... of this part, one a 128-bit block; then each block is
     // transposed.
     hn::Vec<FloatTag> r[4];
