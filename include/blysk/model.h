@@ -23,7 +23,8 @@ struct ModelOptions {
 
 /// Reads a file; "-" is standard input; "shape:..." a built-in shape. Triangles that are degenerate or
 /// not finite are left out and counted in Scene::problems. A broken file is ErrorCode::input with the
-/// place; time and memory stay in proportion to the file's size whatever it says of itself.
+/// place, and so is one without a triangle; time and memory stay in proportion to the file's size whatever it
+/// says of itself.
 [[nodiscard]] Result<Scene> load_model(const std::string& path, const ModelOptions& options = {});
 
 /// The same from memory. `name` stands in messages and gives the extension; `folder` is where files

@@ -103,6 +103,7 @@ struct Scene {
 
 /// Area-weighted vertex normals. Vertices whose faces differ by more than `crease_deg` are split, so
 /// hard edges stay hard; 180 never splits, 0 leaves the mesh without normals (every face its own).
+/// Vertices at the same position count as one, so that a seam in the texture coordinates does not show.
 void make_normals(Mesh& mesh, double crease_deg);
 
 }  // namespace blysk
