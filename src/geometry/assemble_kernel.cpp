@@ -68,6 +68,9 @@ BLYSK_INLINE int find_dots(const AssembleJob& job, const Triangles& t, Mask whic
   const F32 inverse = F32(1.0f) / to_float(t.area);
   const F32 dz1 = (t.nearness[1] - z0) * inverse;
   const F32 dz2 = (t.nearness[2] - z0) * inverse;
+  // Rounding must not carry a dot beyond its corners: below 0 it would be lost.
+  const F32 lowest = min(min(z0, t.nearness[1]), t.nearness[2]);
+  const F32 highest = max(max(z0, t.nearness[1]), t.nearness[2]);
 
   int n = 0;
   for (int j = 0; j < kDotSide; ++j) {
@@ -79,7 +82,8 @@ BLYSK_INLINE int find_dots(const AssembleJob& job, const Triangles& t, Mask whic
       const I32 column = t.left + I32(i);
       const Mask hit = in_row & (column <= t.right) & ((v0 | v1 | v2) >= I32(0));
       if (any(hit)) {
-        const F32 nearness = z0 + (to_float(v1 - e1.bias) * dz1 + to_float(v2 - e2.bias) * dz2);
+        const F32 plane = z0 + (to_float(v1 - e1.bias) * dz1 + to_float(v2 - e2.bias) * dz2);
+        const F32 nearness = min(max(plane, lowest), highest);
         const I32 tile = shift_right<kTileBits>(row) * I32(job.tiles_x) + shift_right<kTileBits>(column);
         const I32 place = shift_left<2 * kTileBits>(tile) | shift_left<kTileBits>(row & I32(kTileSize - 1)) |
                           (column & I32(kTileSize - 1));

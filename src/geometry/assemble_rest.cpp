@@ -27,8 +27,8 @@ struct Polygon {
   void add(const ClipVertex& c) { v[static_cast<std::size_t>(size++)] = c; }
 };
 
-// Distances to near, far and the four guard planes; inside is >= 0.
-double distance(const ClipVertex& v, int plane) {
+// To near, far and the four guard planes.
+double plain_distance(const ClipVertex& v, int plane) {
   switch (plane) {
     case 0:
       return v.w - v.z;
@@ -43,6 +43,13 @@ double distance(const ClipVertex& v, int plane) {
     default:
       return kGuardBand * v.w + v.y;
   }
+}
+
+// Inside is >= 0. A vertex that has its place is inside even where rounding says otherwise: the triangles around it that are not
+// clipped meet it where it stands.
+double distance(const ClipVertex& v, int plane) {
+  const double d = plain_distance(v, plane);
+  return v.snapped != nullptr ? std::max(d, 0.0) : d;
 }
 
 ClipVertex cut(ClipVertex a, ClipVertex b, int plane) {

@@ -118,16 +118,24 @@ class HomogeneousTriangle {
 
   /// How deep inside the triangle the centre of a pixel lies, in subpixels: the least of its distances to the edges' lines
   /// and to the lines along which the near and far planes cut it. Negative outside.
-  [[nodiscard]] double depth_inside(int column, int row) const {
-    if (degenerate_) return -1e30;
-    const double px = column * double{kSubpixels} + kSubpixels / 2.0, py = row * double{kSubpixels} + kSubpixels / 2.0;
+  [[nodiscard]] double depth_inside(int column, int row) const { return depth_inside_but(5, column, row); }
+
+  /// The same, one line left out.
+  [[nodiscard]] double depth_inside_but(std::size_t line, int column, int row) const {
     double least = 1e30;
-    for (const Vec3d& e : edge_) {
-      const double value = e.x * px + e.y * py + e.z, slope = std::sqrt(e.x * e.x + e.y * e.y);
-      const double distance = std::abs(value) < 1e30 * slope ? value / slope : std::copysign(1e30, value);
-      least = std::min(least, distance);
+    for (std::size_t k = 0; k < edge_.size(); ++k) {
+      if (k != line) least = std::min(least, distance(k, column, row));
     }
     return least;
+  }
+
+  /// From one line alone: 0 to 2 are the edges opposite to the corners, 3 is the far plane's, 4 the near plane's.
+  [[nodiscard]] double distance(std::size_t line, int column, int row) const {
+    if (degenerate_) return -1e30;
+    const double px = column * double{kSubpixels} + kSubpixels / 2.0, py = row * double{kSubpixels} + kSubpixels / 2.0;
+    const Vec3d& e = edge_[line];
+    const double value = e.x * px + e.y * py + e.z, slope = std::sqrt(e.x * e.x + e.y * e.y);
+    return std::abs(value) < 1e30 * slope ? value / slope : std::copysign(1e30, value);
   }
 
  private:
