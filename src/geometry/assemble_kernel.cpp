@@ -152,11 +152,16 @@ BLYSK_INLINE void assemble_block(AssembleJob& job, const I32 index[3], I32 id, M
   const I32 x_min = min3(t.x), x_max = max3(t.x), y_min = min3(t.y), y_max = max3(t.y);
   const Mask unplaced = x_min == I32(kUnplaced);
 
-  // Pixel centres in the box and in the picture.
-  t.left = max(shift_right<kSubpixelBits>(x_min + I32(kSubpixels / 2 - 1)), I32(0));
-  t.top = max(shift_right<kSubpixelBits>(y_min + I32(kSubpixels / 2 - 1)), I32(0));
-  t.right = min(shift_right<kSubpixelBits>(x_max - I32(kSubpixels / 2)), I32(job.width - 1));
-  t.bottom = min(shift_right<kSubpixelBits>(y_max - I32(kSubpixels / 2)), I32(job.height - 1));
+  // Pixel centres in the box, then in the picture too. What is tiny must not depend on where the picture ends.
+  t.left = shift_right<kSubpixelBits>(x_min + I32(kSubpixels / 2 - 1));
+  t.top = shift_right<kSubpixelBits>(y_min + I32(kSubpixels / 2 - 1));
+  t.right = shift_right<kSubpixelBits>(x_max - I32(kSubpixels / 2));
+  t.bottom = shift_right<kSubpixelBits>(y_max - I32(kSubpixels / 2));
+  const Mask few = (t.right - t.left < I32(kDotSide)) & (t.bottom - t.top < I32(kDotSide));
+  t.left = max(t.left, I32(0));
+  t.top = max(t.top, I32(0));
+  t.right = min(t.right, I32(job.width - 1));
+  t.bottom = min(t.bottom, I32(job.height - 1));
   const Mask reaches = (t.left <= t.right) & (t.top <= t.bottom);
   const Mask large = (x_max - x_min >= I32(kSmallExtent)) | (y_max - y_min >= I32(kSmallExtent));
 
@@ -185,7 +190,7 @@ BLYSK_INLINE void assemble_block(AssembleJob& job, const I32 index[3], I32 id, M
   swap_where(negative, t.vertex[1], t.vertex[2]);
   swap_where(negative, t.nearness[1], t.nearness[2]);
 
-  const Mask tiny = live & (t.right - t.left < I32(kDotSide)) & (t.bottom - t.top < I32(kDotSide));
+  const Mask tiny = live & few;
   const unsigned tiny_bits = to_bits(tiny);
   if (tiny_bits != 0) {
     Dots dots;

@@ -18,6 +18,7 @@ bool finite(Vec3d v) { return length(v) < 1e150; }
 void enclose(const Scene& scene, const Camera& camera, ViewFrame& view) {
   double nearest = 1e300, farthest = -1e300;
   const Bounds b = scene.bounds();
+  if (b.empty()) nearest = farthest = length(camera.target - camera.eye);
   for (int corner = 0; corner < 8 && !b.empty(); ++corner) {
     const Vec3d p = {(corner & 1) != 0 ? b.hi.x : b.lo.x, (corner & 2) != 0 ? b.hi.y : b.lo.y,
                      (corner & 4) != 0 ? b.hi.z : b.lo.z};
