@@ -185,6 +185,8 @@ class MtlReader {
     if (m.opacity < 1) m.alpha_mode = AlphaMode::blend;
     // Illumination models 0 and 1 have no highlight.
     if (illumination_ && *illumination_ < 2) m.specular = {0, 0, 0};
+    // A texture on black would stay black: what the file means is the texture by itself.
+    if (!now_.color_map.empty() && m.color == Vec3f{0, 0, 0}) m.color = {1, 1, 1};
     if (now_.normal_map.empty()) now_.normal_map = std::move(bump_);
     materials.try_emplace(std::move(*name_), std::move(now_));
     now_ = {};
