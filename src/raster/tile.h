@@ -28,7 +28,7 @@ struct TileJob {
   const Bin* const* bins;        ///< ThreadBins::bins() of every thread
   int bins_count;
   std::uint32_t background;
-  TileBuffers* buffers;  ///< out: nearness, id, and color filled with the background
+  TileBuffers* buffers;  ///< out: nearness, id, and the background in color where pixels are open
 };
 
 /// Copies `rows` rows of `width` colours of a tile to a picture whose rows are `stride` pixels apart.

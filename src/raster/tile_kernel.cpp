@@ -73,6 +73,12 @@ void clear(const TileJob& job) {
   for (int i = 0; i < kTilePixels; i += kLanes) {
     store(F32(0.0f), job.buffers->nearness + i);
     store(I32(static_cast<std::int32_t>(kNoTriangle)), job.buffers->id + i);
+  }
+}
+
+// Colours are written where a triangle is seen; only a tile with gaps needs the background below them.
+void fill_background(const TileJob& job) {
+  for (int i = 0; i < kTilePixels; i += kLanes) {
     store(I32(static_cast<std::int32_t>(job.background)), job.buffers->color + i);
   }
 }
@@ -305,7 +311,9 @@ int rasterize_tile(const TileJob& job) {
     for_each_entry<DotEntry>(job.bins[i][bin_index(job.tile, Stream::dot)],
                              [&](const DotEntry& dot) { draw_dot(*job.buffers, dot); });
   }
-  return count_covered(*job.buffers);
+  const int covered = count_covered(*job.buffers);
+  if (covered < kTilePixels) fill_background(job);
+  return covered;
 }
 
 }  // namespace blysk::BLYSK_ISA
