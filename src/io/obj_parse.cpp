@@ -372,6 +372,11 @@ void place(Array<T>& to, const Array<T>& from, std::size_t begin, std::size_t co
   }
 }
 
+// A list may be there for a face that was left out later.
+bool has_any(const Array<std::uint32_t>& list) {
+  return std::any_of(list.begin(), list.end(), [](std::uint32_t i) { return i != kNone; });
+}
+
 // Puts the pieces' lists one after the other.
 void join(ObjFile& file, std::vector<PieceResult>& parts, std::span<const Counts> own, ThreadPool& pool) {
   std::vector<Place> places;
@@ -389,8 +394,8 @@ void join(ObjFile& file, std::vector<PieceResult>& parts, std::span<const Counts
     end.corner += p.corner_positions.size();
     colors |= !p.colors.empty();
     sizes |= !p.face_sizes.empty();
-    texcoords |= !p.corner_texcoords.empty();
-    normals |= !p.corner_normals.empty();
+    texcoords |= has_any(p.corner_texcoords);
+    normals |= has_any(p.corner_normals);
   }
   file.faces = end.face;
   if (colors) file.colors.resize(end.position);

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "io/obj_text.h"
+#include "io/obj_parse.h"
 #include "io/reader.h"
 #include "math/srgb.h"
 
@@ -386,6 +386,57 @@ TEST(obj, a_large_text_with_a_continued_line) {
   Scene expected = scene_of(text), got = scene_of(continued);
   got.problems = expected.problems;  // one line further down
   expect_same(expected, got);
+}
+
+// Lists of the file read in pieces of so many bytes, or the error.
+std::string lists_of(std::string_view text, std::size_t piece_bytes) {
+  ObjText pieces(text, piece_bytes);
+  Source source;
+  source.options.threads = 2;
+  const Result<ObjFile> file = parse_obj(source, pieces);
+  if (!file) return file.error().text();
+  std::string all;
+  const auto add = [&](const auto& list) {
+    all += std::to_string(list.size()) + ":";
+    all.append(reinterpret_cast<const char*>(list.data()), list.size() * sizeof list[0]);
+  };
+  add(file->positions);
+  add(file->colors);
+  add(file->texcoords);
+  add(file->normals);
+  add(file->face_sizes);
+  add(file->corner_positions);
+  add(file->corner_texcoords);
+  add(file->corner_normals);
+  for (const ObjEvent& e : file->events) all += std::to_string(e.face) + std::string(e.text) + "\n";
+  const ObjOmissions& o = file->omissions;
+  for (const std::size_t n :
+       {o.short_faces, o.first_short_face, o.points, o.lines, o.unknown, o.first_unknown}) {
+    all += std::to_string(n) + " ";
+  }
+  return all += std::string(o.first_keyword) + (o.normals ? "n" : "") + (o.texcoords ? "t" : "");
+}
+
+TEST(obj, where_pieces_are_cut_does_not_show) {
+  const std::string lists = kSquare + "vt 0 0\nvt 1 1\nvn 0 0 1\n";
+  for (const std::string& text :
+       {lists + "f 1 2 3\nf 1//1 2\nf 1 2 3\n", lists + "f 1/1 2\n# \n# \n# \nf 1 2 3\nusemtl a\nf 1 2 3\n",
+        lists + "f 1 2 3\nf 1 2 3 4\nf 1/1 2/2 3/1\nf 1//1 2//1 3//1\nv 1 2 3 1 0 0\nv 4 5 6\nf -1 -2 -3\n",
+        "o a\nf 1 2 3\ns 1\n" + lists +
+            "usemtl b\nf -1 -2 -3\nvp 1\nl 1 2\ncurv 2\nf 1\nmtllib x y\np 1\n\\\n",
+        "\xef\xbb\xbf" + kTriangle + "f 1 2 \\\n3\n# \\\nf 1 2 3/9/9\r\n\r\n\r\nf 1 2 x",
+        lists + "v 1 2\nf 0 1 2\n",
+        std::string("v 0 0 0\rv 1 0 0\rv 1 1 0\rf 1 2 3\rf 2 3 1\r\r\r\rf 1 9 1")}) {
+    const std::string expected = lists_of(text, ObjText::kPieceBytes);
+    for (const std::size_t bytes : {0, 1, 7, 16, 31, 64}) EXPECT_EQ(lists_of(text, bytes), expected) << text;
+  }
+}
+
+// A face that is left out must not make the file one with normals.
+TEST(obj, normals_of_a_face_left_out) {
+  const Scene scene = scene_of(kSquare + "vn 0 0 1\nusemtl a\nf 1 2 3\nf 1//1 2\nusemtl b\nf 1 3 4\n");
+  ASSERT_EQ(scene.meshes.size(), 2u);
+  EXPECT_EQ(scene.meshes[0].normals.size(), 3u);
 }
 
 // Time must not be squared by a million corners that share a vertex, nor may one of them be lost.

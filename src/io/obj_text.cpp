@@ -9,13 +9,12 @@
 namespace blysk::io {
 namespace {
 
-// Large enough that a piece's own costs vanish, small enough that two threads end together.
-constexpr std::size_t kPieceBytes = std::size_t{1} << 20;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 }  // namespace
 
-ObjText::ObjText(std::string_view text) : file_(text), text_(text) {
+ObjText::ObjText(std::string_view text, std::size_t piece_bytes)
+    : piece_bytes_(piece_bytes), file_(text), text_(text) {
   if (text_.starts_with(kByteOrderMark)) skipped_ = kByteOrderMark.size();
   text_.remove_prefix(skipped_);
   // Lines of the old Mac end in a carriage return alone.
@@ -33,15 +32,15 @@ void ObjText::split() {
   const auto offset = [&](const char* at) { return skipped_ + static_cast<std::size_t>(at - begin); };
   // Pieces of the text itself end where padding is left behind them.
   std::size_t tail = 0;
-  if (text_.size() > kPieceBytes) {
+  if (text_.size() > piece_bytes_ + kTextPadding) {
     tail = text_.rfind('\n', text_.size() - 1 - kTextPadding);
     tail = tail == std::string_view::npos ? 0 : tail + 1;
   }
   for (const char* at = begin; at != begin + tail;) {
     const std::size_t left = tail - static_cast<std::size_t>(at - begin);
     const char* end = at + left;
-    if (left > kPieceBytes) {
-      end = static_cast<const char*>(std::memchr(at + kPieceBytes, '\n', left - kPieceBytes)) + 1;
+    if (left > piece_bytes_) {
+      end = static_cast<const char*>(std::memchr(at + piece_bytes_, '\n', left - piece_bytes_)) + 1;
     }
     pieces_.push_back({at, end, offset(at)});
     at = end;

@@ -21,7 +21,10 @@ struct ObjPiece {
 /// Where pieces are cut depends on the text alone, never on the number of threads. `text` must stay.
 class ObjText {
  public:
-  explicit ObjText(std::string_view text);
+  // Large enough that a piece's own costs vanish, small enough that two threads end together.
+  static constexpr std::size_t kPieceBytes = std::size_t{1} << 20;
+
+  explicit ObjText(std::string_view text, std::size_t piece_bytes = kPieceBytes);
   ObjText(const ObjText&) = delete;
   ObjText& operator=(const ObjText&) = delete;
 
@@ -34,6 +37,7 @@ class ObjText {
  private:
   void split();
 
+  std::size_t piece_bytes_;
   std::string_view file_;
   std::string_view text_;    // from the byte order mark on, perhaps in mended_
   std::size_t skipped_ = 0;  // bytes of that mark
