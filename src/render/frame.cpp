@@ -79,6 +79,17 @@ DropArea drop_area(const Material& m, const Mat4& transform, Cull cull) {
   return determinant3(transform) < 0 ? DropArea::negative : DropArea::positive;
 }
 
+// A power of two that brings the largest number of a 3x3 matrix near 1.
+double unit_scale(const Mat4& m) {
+  double largest = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) largest = std::max(largest, std::abs(m.m[i][j]));
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return std::ldexp(1.0, -exponent);
+}
+
 DrawPlan plan_draw(const Scene& scene, const Instance& instance, const ViewFrame& view) {
   const Mesh& mesh = scene.meshes[instance.mesh];
   DrawPlan p;
@@ -90,10 +101,11 @@ DrawPlan plan_draw(const Scene& scene, const Instance& instance, const ViewFrame
   d.indices = mesh.indices.data();
   d.moved = !(instance.transform == Mat4{});
   const Mat4 normals = normal_matrix(instance.transform);
+  const double scale = unit_scale(normals);  // only their direction counts
   const Mat4 projection = view.screen * instance.transform;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
-      if (i < 3 && j < 3) d.normal_matrix[3 * i + j] = static_cast<float>(normals.m[i][j]);
+      if (i < 3 && j < 3) d.normal_matrix[3 * i + j] = static_cast<float>(normals.m[i][j] * scale);
       if (i < 3) d.matrix[4 * i + j] = static_cast<float>(instance.transform.m[i][j]);
       d.projection.row[i][j] = static_cast<float>(projection.m[i][j]);
     }

@@ -134,15 +134,28 @@ BLYSK_INLINE P inverse_sum(const Weights<P>& w) {
   return P(1.0f) / ((w.of[0] + w.of[1]) + w.of[2]);
 }
 
+/// A power of two that brings the larger of two vectors near length 1, so that products of them neither vanish nor overflow
+/// whatever the unit of length.
+template <class F>
+BLYSK_INLINE F unit_scale(const V3<F>& a, const V3<F>& b) {
+  using I = Integer<F>;
+  const auto magnitude = [](F v) { return bits_of(v) & I(0x7fffffff); };
+  const I of_a = max(max(magnitude(a.x), magnitude(a.y)), magnitude(a.z));
+  const I of_b = max(max(magnitude(b.x), magnitude(b.y)), magnitude(b.z));
+  return float_of_bits(I(0x7f000000) - (max(of_a, of_b) & I(0x7f800000)));
+}
+
 /// World normal of the face, not unit.
 template <class F>
-BLYSK_INLINE V3<F> face_normal(const ShadeJob& job, const Corners<F>& c) {
-  const V3<F> p0 = fetch3<F>(job.draw->positions, c.vertex[0]);
-  const V3<F> p1 = fetch3<F>(job.draw->positions, c.vertex[1]);
-  const V3<F> p2 = fetch3<F>(job.draw->positions, c.vertex[2]);
+BLYSK_INLINE V3<F> face_normal(const ShadeJob& job, const Corners<F>& t) {
+  const V3<F> p0 = fetch3<F>(job.draw->positions, t.vertex[0]);
+  const V3<F> p1 = fetch3<F>(job.draw->positions, t.vertex[1]);
+  const V3<F> p2 = fetch3<F>(job.draw->positions, t.vertex[2]);
   const V3<F> a = {p1.x - p0.x, p1.y - p0.y, p1.z - p0.z};
   const V3<F> b = {p2.x - p0.x, p2.y - p0.y, p2.z - p0.z};
-  const V3<F> n = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  const F scale = unit_scale(a, b);
+  const V3<F> c = {a.x * scale, a.y * scale, a.z * scale}, d = {b.x * scale, b.y * scale, b.z * scale};
+  const V3<F> n = {c.y * d.z - c.z * d.y, c.z * d.x - c.x * d.z, c.x * d.y - c.y * d.x};
   return job.draw->moved ? times(job.draw->normal_matrix, 3, n) : n;
 }
 
