@@ -43,11 +43,33 @@ Status print_document() {
   return print_json({{"version", version()}, {"methods", std::move(rows)}});
 }
 
+// docs/methods.md.
+Status print_markdown() {
+  std::string text =
+      "# Methods\n\nEvery method that can be selected, the default of each kind first. This page is what\n"
+      "`blysk methods --markdown` prints.\n";
+  std::string_view kind;
+  for (const Method& method : methods()) {
+    if (kind_name(method.kind) != kind) {
+      kind = kind_name(method.kind);
+      text += "\n## --" + std::string(kind) +
+              "\n\n| name | what it does | source | measured against | claim of the source | valid |\n"
+              "|---|---|---|---|---|---|\n";
+    }
+    text += "| `" + std::string(method.name) + "` | " + std::string(method.title) + " | " +
+            std::string(method.source) + " | " + std::string(method.reference) + " | " +
+            std::string(method.claim) + " | " + std::string(method.limits) + " |\n";
+  }
+  return print(text);
+}
+
 }  // namespace
 
 Result<int> run_methods(const Arguments& arguments) {
-  if (const Status status = arguments.has("json") ? print_document() : print_table(); !status)
-    return status.error();
+  const Status status = arguments.has("json")       ? print_document()
+                        : arguments.has("markdown") ? print_markdown()
+                                                    : print_table();
+  if (!status) return status.error();
   return 0;
 }
 

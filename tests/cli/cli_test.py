@@ -78,11 +78,12 @@ class Help(CommandTest):
         self.assertEqual(done.stderr, b"")
         self.assertIn("--background COLOUR", re.sub("\x1b\\[[0-9;]*m|.\b", "", done.stdout.decode()))
 
-    def test_document_is_up_to_date(self):
-        with open(os.path.join(REPOSITORY, "docs", "command.md"), "rb") as file:
-            document = file.read()
-        self.assertEqual(self.run_command("man", "--markdown")[0].decode(), document.decode(),
-                         "run: blysk man --markdown > docs/command.md")
+    def test_documents_are_up_to_date(self):
+        for subcommand, page in (("man", "command.md"), ("methods", "methods.md")):
+            with open(os.path.join(REPOSITORY, "docs", page), "rb") as file:
+                document = file.read()
+            self.assertEqual(self.run_command(subcommand, "--markdown")[0].decode(), document.decode(),
+                             f"run: blysk {subcommand} --markdown > docs/{page}")
 
     def test_every_example_of_an_option_works(self):
         beside = {"target": ["--eye", "1,2,3"], "up": ["--eye", "1,2,3"], "point-light": ["--ambient=0"]}
