@@ -47,7 +47,8 @@ run_ctest() {
   fi
   # Failures with their output stand before the summary.
   if [[ $status -ne 0 ]]; then
-    sed -n '/^[0-9]*% tests passed/q;p' "$log" | grep -v -E '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test .* Passed )' |
+    sed -n '/^[0-9]*% tests passed/q;p' "$log" |
+      grep -v -E '^(Internal ctest|Test project)|^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test .* Passed )' |
       tail -n 120
   fi
   sed -n '/^[0-9]*% tests passed/,$p' "$log"
