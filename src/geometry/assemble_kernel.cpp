@@ -152,7 +152,8 @@ BLYSK_INLINE void assemble_block(AssembleJob& job, const I32 index[3], I32 id, M
   const I32 x_min = min3(t.x), x_max = max3(t.x), y_min = min3(t.y), y_max = max3(t.y);
   const Mask unplaced = x_min == I32(kUnplaced);
 
-  // Pixel centres in the box, then in the picture too. What is tiny must not depend on where the picture ends.
+  // Pixel centres in the box, then in the picture too. What is tiny must not depend on where the picture
+  // ends.
   t.left = shift_right<kSubpixelBits>(x_min + I32(kSubpixels / 2 - 1));
   t.top = shift_right<kSubpixelBits>(y_min + I32(kSubpixels / 2 - 1));
   t.right = shift_right<kSubpixelBits>(x_max - I32(kSubpixels / 2));

@@ -45,8 +45,8 @@ double plain_distance(const ClipVertex& v, int plane) {
   }
 }
 
-// Inside is >= 0. A vertex that has its place is inside even where rounding says otherwise: the triangles around it that are not
-// clipped meet it where it stands.
+// Inside is >= 0. A vertex that has its place is inside even where rounding says otherwise: the triangles
+// around it that are not clipped meet it where it stands.
 double distance(const ClipVertex& v, int plane) {
   const double d = plain_distance(v, plane);
   return v.snapped != nullptr ? std::max(d, 0.0) : d;

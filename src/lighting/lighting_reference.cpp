@@ -41,7 +41,8 @@ Intensity light_point(const Lighting& lighting, Vec3d position, Vec3d normal, Ve
     d.light = normalize(light.kind == Light::Kind::point ? light.vector - position : light.vector);
     const Vec3d il = to_double(light.color);
     sum.diffuse = sum.diffuse + multiply(il, kd) * std::max(0.0, dot(d.normal, d.light));
-    sum.specular = sum.specular + multiply(il, ks) * specular(lighting.model, d, static_cast<double>(m.shininess));
+    sum.specular =
+        sum.specular + multiply(il, ks) * specular(lighting.model, d, static_cast<double>(m.shininess));
   }
   return sum;
 }

@@ -20,9 +20,36 @@ struct Row {
 };
 
 constexpr Row kRows[] = {
-    {{0.2, 0.3, 1}, {0.5, 0.5, 1}, {0, 0, 1}, 10, 0.960119216, 0.989911784, 0.997271232, 0.676071529, 0.947144488, 0.967985022},
-    {{0.2, 0.3, 1}, {0.5, 0.5, 1}, {0, 0, 1}, 50, 0.960119216, 0.989911784, 0.997271232, 0.676071529, 0.856766457, 0.937760745},
-    {{-0.4, 0.1, 1}, {1, 0.2, 0.3}, {0.1, -0.2, 1}, 255, -0.06957574, -0.448510368, 0.477246408, 0.1, 0.1, 0.1},
+    {{0.2, 0.3, 1},
+     {0.5, 0.5, 1},
+     {0, 0, 1},
+     10,
+     0.960119216,
+     0.989911784,
+     0.997271232,
+     0.676071529,
+     0.947144488,
+     0.967985022},
+    {{0.2, 0.3, 1},
+     {0.5, 0.5, 1},
+     {0, 0, 1},
+     50,
+     0.960119216,
+     0.989911784,
+     0.997271232,
+     0.676071529,
+     0.856766457,
+     0.937760745},
+    {{-0.4, 0.1, 1},
+     {1, 0.2, 0.3},
+     {0.1, -0.2, 1},
+     255,
+     -0.06957574,
+     -0.448510368,
+     0.477246408,
+     0.1,
+     0.1,
+     0.1},
     {{0.9, 0, 0.2}, {-1, 0, 0.5}, {0, 0, 1}, 20, -0.776114, -0.783939126, -0.328679839, 0.1, 0.1, 0.1},
     {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, 50, 1, 1, 1, 0.7, 1, 1},
 };
@@ -48,7 +75,8 @@ TEST(lighting, reference_has_the_specifications_numbers) {
     EXPECT_NEAR(reference::cos_reflected(d), row.r_v, 1e-9);
     EXPECT_NEAR(reference::cos_halfway(d), row.n_h, 1e-9);
     const auto intensity = [&](LightingModel model) {
-      const reference::Intensity i = reference::light_point(lighting_of(row, model), {}, row.normal, row.viewer);
+      const reference::Intensity i =
+          reference::light_point(lighting_of(row, model), {}, row.normal, row.viewer);
       return i.diffuse.x + i.specular.x;
     };
     constexpr double kFloat = 5e-8;  // materials are floats
@@ -60,8 +88,13 @@ TEST(lighting, reference_has_the_specifications_numbers) {
 
 // Section 13, R11: cos^n.
 TEST(lighting, reference_lobe_has_the_specifications_numbers) {
-  const double rows[][3] = {{1, 50, 1},           {0.995, 50, 0.778312557}, {0.98, 50, 0.36416968}, {0.95, 50, 0.0769449753},
-                            {0.99, 255, 0.0770858423}, {0.9, 10, 0.34867844},    {0.8, 10, 0.107374182}};
+  const double rows[][3] = {{1, 50, 1},
+                            {0.995, 50, 0.778312557},
+                            {0.98, 50, 0.36416968},
+                            {0.95, 50, 0.0769449753},
+                            {0.99, 255, 0.0770858423},
+                            {0.9, 10, 0.34867844},
+                            {0.8, 10, 0.107374182}};
   for (const auto& [cosine, n, expected] : rows) {
     // With L = V = H along z, N stands at the angle asked for.
     const Vec3d normal = {std::sqrt(1 - cosine * cosine), 0, cosine};
@@ -141,8 +174,11 @@ TEST(lighting, light_point_agrees_with_the_reference) {
     light.kind = random.next() % 2 == 0 ? Light::Kind::point : Light::Kind::directional;
     light.vector = random_vector(random) * 3;
     l.lights = {light};
-    const auto any_length = [&] { return random_vector(random) * std::pow(10.0, 6 * static_cast<double>(random.unit()) - 3); };
-    const Vec3f normal = to_float(any_length()), viewer = to_float(any_length()), position = to_float(random_vector(random));
+    const auto any_length = [&] {
+      return random_vector(random) * std::pow(10.0, 6 * static_cast<double>(random.unit()) - 3);
+    };
+    const Vec3f normal = to_float(any_length()), viewer = to_float(any_length()),
+                position = to_float(random_vector(random));
 
     // Light jumps where the normal turns away from viewer or lamp.
     const Vec3d n = normalize(to_double(normal)), p = to_double(position);
@@ -152,16 +188,20 @@ TEST(lighting, light_point_agrees_with_the_reference) {
       continue;
     }
     const reference::Intensity exact = reference::light_point(l, p, to_double(normal), to_double(viewer));
-    // Roots are good to 7.5e-7; the lobe raises that by its power, and Blinn's H by 1 / |L + V|^2: it is lost where light and
-    // viewer are opposite.
+    // Roots are good to 7.5e-7; the lobe raises that by its power, and Blinn's H by 1 / |L + V|^2: it is lost
+    // where light and viewer are opposite.
     const double l_v = dot(to_light, normalize(to_double(viewer)));
-    const double bound = 1e-6 + 3e-6 * static_cast<double>(l.material.shininess) / (l.model == LightingModel::blinn ? 1 + l_v : 1);
+    const double bound = 1e-6 + 3e-6 * static_cast<double>(l.material.shininess) /
+                                    (l.model == LightingModel::blinn ? 1 + l_v : 1);
     const V3<float> at = {position.x, position.y, position.z};
     const Intensity<float> got = light_point(surface_of(l), V3<float>{normal.x, normal.y, normal.z},
                                              V3<float>{viewer.x, viewer.y, viewer.z}, [&] { return at; });
-    const double errors[] = {static_cast<double>(got.diffuse.x) - exact.diffuse.x, static_cast<double>(got.diffuse.y) - exact.diffuse.y,
-                             static_cast<double>(got.diffuse.z) - exact.diffuse.z, static_cast<double>(got.specular.x) - exact.specular.x,
-                             static_cast<double>(got.specular.y) - exact.specular.y, static_cast<double>(got.specular.z) - exact.specular.z};
+    const double errors[] = {static_cast<double>(got.diffuse.x) - exact.diffuse.x,
+                             static_cast<double>(got.diffuse.y) - exact.diffuse.y,
+                             static_cast<double>(got.diffuse.z) - exact.diffuse.z,
+                             static_cast<double>(got.specular.x) - exact.specular.x,
+                             static_cast<double>(got.specular.y) - exact.specular.y,
+                             static_cast<double>(got.specular.z) - exact.specular.z};
     for (const double e : errors) {
       worst = std::max(worst, std::abs(e) / bound);
       sum += std::abs(e);

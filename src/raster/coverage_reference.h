@@ -1,5 +1,5 @@
-// raster/coverage_reference.h - which pixels a triangle covers, and how near it is there, by the book: exact integers and
-// doubles, one pixel at a time.
+// raster/coverage_reference.h - which pixels a triangle covers, and how near it is there, by the book: exact
+// integers and doubles, one pixel at a time.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,8 @@ inline std::optional<Place> place(const Projection& m, Vec3f p) {
   };
   const float w = row(3), q = 1.0f / w, x = row(0) * q, y = row(1) * q, nearness = row(2) * q;
   constexpr auto kGuard = static_cast<float>(kGuardBand);
-  const bool placed = w > 0 && nearness >= 0 && nearness <= 1 && std::abs(x) <= kGuard && std::abs(y) <= kGuard;
+  const bool placed =
+      w > 0 && nearness >= 0 && nearness <= 1 && std::abs(x) <= kGuard && std::abs(y) <= kGuard;
   if (!placed) return std::nullopt;
   return Place{std::llrint(x), std::llrint(y), nearness};
 }
@@ -78,19 +79,21 @@ void for_each_covered(const Triangle& t, int width, int height, Visit visit) {
 
 /// Nearness of the triangle's plane at the centre of a pixel.
 inline double nearness_at(const Triangle& t, int column, int row) {
-  const double px = column * double{kSubpixels} + kSubpixels / 2.0, py = row * double{kSubpixels} + kSubpixels / 2.0;
+  const double px = column * double{kSubpixels} + kSubpixels / 2.0,
+               py = row * double{kSubpixels} + kSubpixels / 2.0;
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Place &a = t.corner[(k + 1) % 3], &b = t.corner[(k + 2) % 3];
     const auto ax = static_cast<double>(a.x), ay = static_cast<double>(a.y);
-    const double weight = (static_cast<double>(b.x) - ax) * (py - ay) - (static_cast<double>(b.y) - ay) * (px - ax);
+    const double weight =
+        (static_cast<double>(b.x) - ax) * (py - ay) - (static_cast<double>(b.y) - ay) * (px - ax);
     sum += weight * static_cast<double>(t.corner[k].nearness);
   }
   return sum / static_cast<double>(t.area());
 }
 
-/// A triangle that may cross the planes of the view, in homogeneous screen coordinates (subpixels, nearness, w).
-/// M. Olano, T. Greer. Triangle scan conversion using 2D homogeneous coordinates. 1997.
+/// A triangle that may cross the planes of the view, in homogeneous screen coordinates (subpixels, nearness,
+/// w). M. Olano, T. Greer. Triangle scan conversion using 2D homogeneous coordinates. 1997.
 class HomogeneousTriangle {
  public:
   HomogeneousTriangle(const Projection& m, const std::array<Vec3f, 3>& p) {
@@ -111,13 +114,13 @@ class HomogeneousTriangle {
       nearness = nearness + edge_[k] * z[k];
     }
     nearness = nearness * (1 / std::abs(volume));
-    edge_[3] = nearness;                           // inside: nearness >= 0
-    edge_[4] = Vec3d{0, 0, 1} - nearness;          // inside: nearness <= 1
+    edge_[3] = nearness;                   // inside: nearness >= 0
+    edge_[4] = Vec3d{0, 0, 1} - nearness;  // inside: nearness <= 1
     degenerate_ = !(std::abs(volume) > 0);
   }
 
-  /// How deep inside the triangle the centre of a pixel lies, in subpixels: the least of its distances to the edges' lines
-  /// and to the lines along which the near and far planes cut it. Negative outside.
+  /// How deep inside the triangle the centre of a pixel lies, in subpixels: the least of its distances to the
+  /// edges' lines and to the lines along which the near and far planes cut it. Negative outside.
   [[nodiscard]] double depth_inside(int column, int row) const { return depth_inside_but(5, column, row); }
 
   /// The same, one line left out.
@@ -129,10 +132,12 @@ class HomogeneousTriangle {
     return least;
   }
 
-  /// From one line alone: 0 to 2 are the edges opposite to the corners, 3 is the far plane's, 4 the near plane's.
+  /// From one line alone: 0 to 2 are the edges opposite to the corners, 3 is the far plane's, 4 the near
+  /// plane's.
   [[nodiscard]] double distance(std::size_t line, int column, int row) const {
     if (degenerate_) return -1e30;
-    const double px = column * double{kSubpixels} + kSubpixels / 2.0, py = row * double{kSubpixels} + kSubpixels / 2.0;
+    const double px = column * double{kSubpixels} + kSubpixels / 2.0,
+                 py = row * double{kSubpixels} + kSubpixels / 2.0;
     const Vec3d& e = edge_[line];
     const double value = e.x * px + e.y * py + e.z, slope = std::sqrt(e.x * e.x + e.y * e.y);
     return std::abs(value) < 1e30 * slope ? value / slope : std::copysign(1e30, value);

@@ -16,7 +16,8 @@ struct Size {
 
 // A corner in 1/256 pixel of the picture, as a world position of pixel_camera(); exact for |x|, |y| < 2^23.
 Vec3f at_subpixel(Size size, double x, double y, float z = 0) {
-  return {static_cast<float>((x - size.width * 128) / 256), static_cast<float>((size.height * 128 - y) / 256), z};
+  return {static_cast<float>((x - size.width * 128) / 256), static_cast<float>((size.height * 128 - y) / 256),
+          z};
 }
 
 RenderOptions id_options(Size size, const Camera& camera) {
@@ -77,12 +78,13 @@ std::vector<std::uint32_t> covered_pixels(const reference::Triangle& t, Size siz
   return r;
 }
 
-std::string first_difference(const std::vector<std::uint32_t>& expected, const Array<std::uint32_t>& actual, Size size) {
+std::string first_difference(const std::vector<std::uint32_t>& expected, const Array<std::uint32_t>& actual,
+                             Size size) {
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (expected[i] == actual[i]) continue;
     const auto at = static_cast<int>(i);
-    return "pixel " + std::to_string(at % size.width) + "," + std::to_string(at / size.width) + ": expected " +
-           std::to_string(expected[i]) + ", drawn " + std::to_string(actual[i]);
+    return "pixel " + std::to_string(at % size.width) + "," + std::to_string(at / size.width) +
+           ": expected " + std::to_string(expected[i]) + ", drawn " + std::to_string(actual[i]);
   }
   return "";
 }
@@ -97,7 +99,8 @@ std::array<Vec2<double>, 3> random_corners(Random& random, Kind kind, Size size)
     return Vec2<double>{double(whole(random, -512, w + 512)), double(whole(random, -512, h + 512))};
   };
   const auto around = [&](Vec2<double> c, std::int64_t reach) {
-    return Vec2<double>{c.x + double(whole(random, -reach, reach)), c.y + double(whole(random, -reach, reach))};
+    return Vec2<double>{c.x + double(whole(random, -reach, reach)),
+                        c.y + double(whole(random, -reach, reach))};
   };
   const Vec2<double> c = near_picture();
   switch (kind) {
@@ -109,7 +112,8 @@ std::array<Vec2<double>, 3> random_corners(Random& random, Kind kind, Size size)
       const std::int64_t reach = whole(random, 256, 64 * 256);
       return {around(c, reach), around(c, reach), around(c, reach)};
     }
-    case Kind::large: return {around(c, 200 * 256), around(c, 200 * 256), around(c, 200 * 256)};
+    case Kind::large:
+      return {around(c, 200 * 256), around(c, 200 * 256), around(c, 200 * 256)};
     case Kind::sliver: {
       const Vec2<double> d = around(c, std::int64_t{1} << whole(random, 8, 16));
       const double t = uniform(random, -0.2, 1.2);
@@ -136,7 +140,8 @@ std::array<Vec2<double>, 3> random_corners(Random& random, Kind kind, Size size)
       const std::int64_t reach = std::int64_t{1} << whole(random, 17, 21);
       return {around(c, reach), around(c, reach), around(c, reach)};
     }
-    case Kind::between: break;  // not on the grid of 1/256, ties of rounding among them
+    case Kind::between:
+      break;  // not on the grid of 1/256, ties of rounding among them
   }
   const auto off_grid = [&](Vec2<double> v) {
     return Vec2<double>{v.x + double(whole(random, 0, 7)) / 8, v.y + double(whole(random, 0, 7)) / 8};
@@ -169,13 +174,14 @@ TEST(coverage, single_triangles_are_exact) {
       triangle.corner[k] = *place;
     }
     const std::vector<std::uint32_t> expected = covered_pixels(triangle, size);
-    with_pixels[static_cast<std::size_t>(kind)] += std::count(expected.begin(), expected.end(), 1u) > 0 ? 1 : 0;
+    with_pixels[static_cast<std::size_t>(kind)] +=
+        std::count(expected.begin(), expected.end(), 1u) > 0 ? 1 : 0;
     Alone alone(size, camera);
     for (const Isa isa : available_isas()) {
       const auto& ids = alone.ids(corners, isa);
       ASSERT_TRUE(std::equal(expected.begin(), expected.end(), ids.begin()))
-          << isa_name(isa) << ", triangle " << i << ", " << size.width << "x" << size.height << ": " << text_of(corners)
-          << first_difference(expected, ids, size);
+          << isa_name(isa) << ", triangle " << i << ", " << size.width << "x" << size.height << ": "
+          << text_of(corners) << first_difference(expected, ids, size);
     }
   }
   for (int k = 0; k < kKinds; ++k) {
@@ -216,15 +222,16 @@ TEST(coverage, perspective_is_exact_after_snapping) {
     for (const Isa isa : available_isas()) {
       const auto& ids = alone.ids(corners, isa);
       ASSERT_TRUE(std::equal(expected.begin(), expected.end(), ids.begin()))
-          << isa_name(isa) << ", triangle " << i << ": " << text_of(corners) << first_difference(expected, ids, kSize);
+          << isa_name(isa) << ", triangle " << i << ": " << text_of(corners)
+          << first_difference(expected, ids, kSize);
     }
   }
   EXPECT_GT(placed, 2900);
   EXPECT_GT(covering, 1000);
 }
 
-// Triangles that cross the planes of the view or the guard band: whatever lies 1/128 pixel inside or outside of all
-// edges must be drawn, or not.
+// Triangles that cross the planes of the view or the guard band: whatever lies 1/128 pixel inside or outside
+// of all edges must be drawn, or not.
 TEST(coverage, clipped_triangles_keep_to_their_edges) {
   constexpr Size kSize = {120, 90};
   constexpr double kBand = 2;
@@ -238,11 +245,13 @@ TEST(coverage, clipped_triangles_keep_to_their_edges) {
     camera.near_distance = std::pow(10.0, uniform(random, -2, 0));
     camera.far_distance = camera.near_distance + uniform(random, 1, 20);
     Corners corners;
-    for (Vec3f& p : corners) p = to_float(camera.eye + random_direction(random) * std::pow(10.0, uniform(random, -1, 1.5)));
+    for (Vec3f& p : corners)
+      p = to_float(camera.eye + random_direction(random) * std::pow(10.0, uniform(random, -1, 1.5)));
 
     const Projection projection = projection_of(kSize, camera);
-    const bool whole_on_screen =
-        std::all_of(corners.begin(), corners.end(), [&](const Vec3f& p) { return reference::place(projection, p).has_value(); });
+    const bool whole_on_screen = std::all_of(corners.begin(), corners.end(), [&](const Vec3f& p) {
+      return reference::place(projection, p).has_value();
+    });
     if (whole_on_screen) continue;
     ++clipped;
     const reference::HomogeneousTriangle triangle(projection, corners);
@@ -257,8 +266,8 @@ TEST(coverage, clipped_triangles_keep_to_their_edges) {
         if (std::abs(depth[k]) <= kBand) continue;
         (depth[k] > 0 ? inside : outside) += 1;
         ASSERT_EQ(ids[k], depth[k] > 0 ? 1u : 0u)
-            << isa_name(isa) << ", triangle " << i << ": " << text_of(corners) << "pixel " << k % kSize.width << ","
-            << k / kSize.width << " lies " << depth[k] << " subpixels inside";
+            << isa_name(isa) << ", triangle " << i << ": " << text_of(corners) << "pixel " << k % kSize.width
+            << "," << k / kSize.width << " lies " << depth[k] << " subpixels inside";
       }
     }
   }
@@ -269,9 +278,9 @@ TEST(coverage, clipped_triangles_keep_to_their_edges) {
 
 // Every triangle of a mesh alone, and the whole mesh at once.
 struct Tally {
-  std::vector<int> hits;               // triangles that cover the pixel when alone
-  std::vector<std::uint32_t> last;     // 1 + the last of them
-  Array<std::uint32_t> whole;          // ids of the mesh
+  std::vector<int> hits;            // triangles that cover the pixel when alone
+  std::vector<std::uint32_t> last;  // 1 + the last of them
+  Array<std::uint32_t> whole;       // ids of the mesh
 };
 
 Tally tally(const Mesh& mesh, Size size, const Camera& camera, Isa isa) {
@@ -311,9 +320,11 @@ void expect_watertight(const Mesh& mesh, Size size, const Camera& camera, Must m
   }
 }
 
-// A sheet of cells that covers the picture with room to spare; corners are moved at random, up to nearly half a cell.
+// A sheet of cells that covers the picture with room to spare; corners are moved at random, up to nearly half
+// a cell.
 Mesh jittered_grid(Random& random, Size size, double cell, double jitter) {
-  const int columns = static_cast<int>(size.width / cell) + 4, rows = static_cast<int>(size.height / cell) + 4;
+  const int columns = static_cast<int>(size.width / cell) + 4,
+            rows = static_cast<int>(size.height / cell) + 4;
   std::vector<Vec3f> positions;
   std::vector<std::uint32_t> indices;
   for (int y = 0; y <= rows; ++y) {
@@ -345,7 +356,8 @@ TEST(coverage, grids_have_no_gap_and_no_overlap) {
   const struct {
     Size size;
     double cell;
-  } sheets[] = {{{24, 16}, 0.7}, {{40, 30}, 2.5}, {{130, 70}, 11}, {{200, 140}, 70}, {{150, 130}, 400}, {{64, 64}, 4000}};
+  } sheets[] = {{{24, 16}, 0.7},  {{40, 30}, 2.5},   {{130, 70}, 11},
+                {{200, 140}, 70}, {{150, 130}, 400}, {{64, 64}, 4000}};
   for (const auto& sheet : sheets) {
     for (const double jitter : {0.0, 0.24}) {
       SCOPED_TRACE(sheet.cell);
@@ -361,7 +373,8 @@ TEST(coverage, fans_have_no_gap_and_no_overlap) {
   for (const int spokes : {3, 8, 64, 500}) {
     constexpr Size kSize = {99, 70};
     std::vector<double> angles;
-    for (int i = 0; i < spokes; ++i) angles.push_back(i * 2 * 3.14159265358979 / spokes + uniform(random, 0, 1e-3));
+    for (int i = 0; i < spokes; ++i)
+      angles.push_back(i * 2 * 3.14159265358979 / spokes + uniform(random, 0, 1e-3));
     std::vector<Vec3f> positions = {at_subpixel(kSize, 128 + 256 * 40, 128 + 256 * 33)};
     std::vector<std::uint32_t> indices;
     for (int i = 0; i < spokes; ++i) {
@@ -369,8 +382,8 @@ TEST(coverage, fans_have_no_gap_and_no_overlap) {
       const double a = angles[static_cast<std::size_t>(i)];
       positions.push_back(at_subpixel(kSize, std::round(128 + 256 * 40 + reach * std::cos(a)),
                                       std::round(128 + 256 * 33 + reach * std::sin(a))));
-      indices.insert(indices.end(),
-                     {0u, static_cast<std::uint32_t>(i + 1), static_cast<std::uint32_t>((i + 1) % spokes + 1)});
+      indices.insert(indices.end(), {0u, static_cast<std::uint32_t>(i + 1),
+                                     static_cast<std::uint32_t>((i + 1) % spokes + 1)});
     }
     SCOPED_TRACE(spokes);
     expect_watertight(mesh_of(positions, indices), kSize, pixel_camera(kSize.height), everywhere);
@@ -388,7 +401,8 @@ TEST(coverage, strips_have_no_gap_and_no_overlap) {
     for (int i = 0; i < columns; ++i) {
       const double slant = uniform(random, -0.2, 0.2);
       positions.push_back(at_subpixel(kSize, std::round((i - 15 + slant) * step * 256), -300));
-      positions.push_back(at_subpixel(kSize, std::round((i - 15 - slant) * step * 256), kSize.height * 256 + 300));
+      positions.push_back(
+          at_subpixel(kSize, std::round((i - 15 - slant) * step * 256), kSize.height * 256 + 300));
       if (i == 0) continue;
       const auto a = static_cast<std::uint32_t>(2 * i - 2);
       indices.insert(indices.end(), {a, a + 1, a + 2, a + 2, a + 1, a + 3});
@@ -398,8 +412,8 @@ TEST(coverage, strips_have_no_gap_and_no_overlap) {
   }
 }
 
-// A ball of triangles around the eye: every pixel sees one of them, and most of them cross a plane of the view, go behind the
-// eye or beyond the guard band.
+// A ball of triangles around the eye: every pixel sees one of them, and most of them cross a plane of the
+// view, go behind the eye or beyond the guard band.
 Mesh room(Random& random, Vec3d eye, int detail) {
   std::vector<Vec3f> positions;
   std::vector<std::uint32_t> indices;
@@ -414,7 +428,8 @@ Mesh room(Random& random, Vec3d eye, int detail) {
     return entry->second;
   };
   for (int side = 0; side < 6; ++side) {
-    const Vec3d n = axes[side / 2] * (side % 2 == 0 ? 1.0 : -1.0), u = axes[(side / 2 + 1) % 3], v = cross(n, u);
+    const Vec3d n = axes[side / 2] * (side % 2 == 0 ? 1.0 : -1.0), u = axes[(side / 2 + 1) % 3],
+                v = cross(n, u);
     const auto corner = [&](int i, int j) {
       const Vec3d p = n * detail + u * (2 * i - detail) + v * (2 * j - detail);
       return vertex({static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z)});
@@ -446,8 +461,9 @@ TEST(coverage, a_room_around_the_eye_has_no_gap) {
   }
 }
 
-// Two triangles share an edge that begins on the near plane, but for rounding. One of them lies wholly in the view, the other
-// goes on behind the eye and is clipped: along the edge every pixel must still belong to exactly one.
+// Two triangles share an edge that begins on the near plane, but for rounding. One of them lies wholly in the
+// view, the other goes on behind the eye and is clipped: along the edge every pixel must still belong to
+// exactly one.
 TEST(coverage, an_edge_from_the_near_plane_is_shared) {
   Random random(8);
   constexpr Size kSize = {160, 120};
@@ -462,7 +478,8 @@ TEST(coverage, an_edge_from_the_near_plane_is_shared) {
     const Result<ViewFrame> view = make_view(camera, Scene{}, kSize.width, kSize.height);
     ASSERT_TRUE(view);
     const auto at = [&](double depth, double reach) {
-      const Vec3d ray = view->forward + view->right * uniform(random, -reach, reach) + view->up * uniform(random, -reach, reach);
+      const Vec3d ray = view->forward + view->right * uniform(random, -reach, reach) +
+                        view->up * uniform(random, -reach, reach);
       return to_float(camera.eye + ray * depth);
     };
     const Vec3f a = at(camera.near_distance, 3), b = at(uniform(random, 1, 5), 0.5);
@@ -471,7 +488,8 @@ TEST(coverage, an_edge_from_the_near_plane_is_shared) {
 
     const Projection projection = projection_of(kSize, camera);
     if (!reference::place(projection, a) || !reference::place(projection, inside)) continue;
-    const reference::HomogeneousTriangle clipped(projection, {a, b, behind}), whole(projection, {a, b, inside});
+    const reference::HomogeneousTriangle clipped(projection, {a, b, behind}),
+        whole(projection, {a, b, inside});
     Alone alone(kSize, camera);
     const auto first = alone.ids({a, b, behind}, Isa::best);
     const auto& second = alone.ids({b, a, inside}, Isa::best);
@@ -486,8 +504,8 @@ TEST(coverage, an_edge_from_the_near_plane_is_shared) {
         if ((clipped.distance(2, x, y) > 0) == (whole.distance(2, x, y) > 0)) continue;  // both on one side
         ++along_edge;
         const auto p = static_cast<std::size_t>(y * kSize.width + x);
-        ASSERT_EQ(first[p] + second[p], 1u) << i << ": " << text_of({a, b, behind}) << text_of({b, a, inside}) << "pixel " << x
-                                            << "," << y;
+        ASSERT_EQ(first[p] + second[p], 1u)
+            << i << ": " << text_of({a, b, behind}) << text_of({b, a, inside}) << "pixel " << x << "," << y;
       }
     }
   }

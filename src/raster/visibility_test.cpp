@@ -25,14 +25,17 @@ struct Crowd {
   std::vector<reference::Triangle> triangles;  // in the order of ids
 };
 
-// A corner of pixel_camera() in subpixels; nearness is a multiple of 2^-20, so that nothing is rounded on the way.
+// A corner of pixel_camera() in subpixels; nearness is a multiple of 2^-20, so that nothing is rounded on the
+// way.
 reference::Place random_place(Random& random, Vec2<double> around, double reach) {
   const auto move = [&] { return uniform(random, -reach, reach); };
-  return {std::llrint(around.x + move()), std::llrint(around.y + move()), static_cast<float>(whole(random, 1, 1 << 20)) * 0x1p-20f};
+  return {std::llrint(around.x + move()), std::llrint(around.y + move()),
+          static_cast<float>(whole(random, 1, 1 << 20)) * 0x1p-20f};
 }
 
 Vec3f position_of(const reference::Place& p) {
-  return {static_cast<float>(p.x - kWidth * 128) / 256, static_cast<float>(kHeight * 128 - p.y) / 256, p.nearness * 2 - 1};
+  return {static_cast<float>(p.x - kWidth * 128) / 256, static_cast<float>(kHeight * 128 - p.y) / 256,
+          p.nearness * 2 - 1};
 }
 
 void add_mesh(Crowd& crowd, const std::vector<reference::Triangle>& triangles) {
@@ -70,8 +73,9 @@ double nearness_error(const reference::Triangle& t) {
 std::vector<std::vector<std::uint32_t>> layers_of(const Crowd& crowd) {
   std::vector<std::vector<std::uint32_t>> layers(std::size_t{kWidth} * kHeight);
   for (std::uint32_t i = 0; i < crowd.triangles.size(); ++i) {
-    reference::for_each_covered(crowd.triangles[i], kWidth, kHeight,
-                                [&](int x, int y) { layers[static_cast<std::size_t>(y * kWidth + x)].push_back(i); });
+    reference::for_each_covered(crowd.triangles[i], kWidth, kHeight, [&](int x, int y) {
+      layers[static_cast<std::size_t>(y * kWidth + x)].push_back(i);
+    });
   }
   return layers;
 }
@@ -97,14 +101,18 @@ TEST(visibility, the_nearest_wins) {
           continue;
         }
         const std::uint32_t drawn = frame.id[p] - 1;
-        ASSERT_NE(std::count(layers[p].begin(), layers[p].end(), drawn), 0) << isa_name(isa) << " " << x << "," << y;
-        const double near = reference::nearness_at(crowd.triangles[drawn], x, y), error = nearness_error(crowd.triangles[drawn]);
-        ASSERT_NEAR(1.0 - double{frame.depth.values[p]}, near, error) << isa_name(isa) << " triangle " << drawn;
+        ASSERT_NE(std::count(layers[p].begin(), layers[p].end(), drawn), 0)
+            << isa_name(isa) << " " << x << "," << y;
+        const double near = reference::nearness_at(crowd.triangles[drawn], x, y),
+                     error = nearness_error(crowd.triangles[drawn]);
+        ASSERT_NEAR(1.0 - double{frame.depth.values[p]}, near, error)
+            << isa_name(isa) << " triangle " << drawn;
         bool doubtful = false;
         for (const std::uint32_t other : layers[p]) {
           const double behind = near - reference::nearness_at(crowd.triangles[other], x, y);
           const double unsure = error + nearness_error(crowd.triangles[other]);
-          ASSERT_GE(behind, -unsure) << isa_name(isa) << ", pixel " << x << "," << y << " shows " << drawn << ", not " << other;
+          ASSERT_GE(behind, -unsure) << isa_name(isa) << ", pixel " << x << "," << y << " shows " << drawn
+                                     << ", not " << other;
           doubtful = doubtful || (other != drawn && behind < unsure);
         }
         ++pixels;
@@ -125,7 +133,8 @@ TEST(visibility, equal_depths_go_to_the_lower_id) {
       std::vector<reference::Triangle> triangles;
       for (int i = 0; i < 150; ++i) {
         triangles.push_back(random_triangle(random));
-        for (reference::Place& p : triangles.back().corner) p.nearness = round == 0 ? 0.0f : 0.375f;  // 0: the far plane
+        for (reference::Place& p : triangles.back().corner)
+          p.nearness = round == 0 ? 0.0f : 0.375f;  // 0: the far plane
       }
       std::sort(triangles.begin(), triangles.end(), [](const auto& a, const auto& b) {
         return std::abs(a.area()) < std::abs(b.area());  // else the large ones hide the rest
@@ -136,7 +145,8 @@ TEST(visibility, equal_depths_go_to_the_lower_id) {
     for (const Isa isa : available_isas()) {
       const Frame frame = render_frame(crowd.scene, visibility_options(), isa, 1 + round % 3);
       for (std::size_t p = 0; p < layers.size(); ++p) {
-        ASSERT_EQ(frame.id[p], layers[p].empty() ? 0u : layers[p].front() + 1) << isa_name(isa) << ", pixel " << p;
+        ASSERT_EQ(frame.id[p], layers[p].empty() ? 0u : layers[p].front() + 1)
+            << isa_name(isa) << ", pixel " << p;
       }
     }
   }
@@ -185,7 +195,8 @@ TEST(visibility, triangles_that_touch_the_planes_are_whole) {
     for (const Isa isa : available_isas()) {
       const Frame frame = render_frame(crowd.scene, visibility_options(), isa);
       for (std::size_t p = 0; p < layers.size(); ++p) {
-        ASSERT_EQ(frame.id[p], layers[p].empty() ? 0u : 1u) << isa_name(isa) << ", triangle " << round << ", pixel " << p;
+        ASSERT_EQ(frame.id[p], layers[p].empty() ? 0u : 1u)
+            << isa_name(isa) << ", triangle " << round << ", pixel " << p;
         ASSERT_GE(frame.depth.values[p], 0.0f);
         ASSERT_LE(frame.depth.values[p], 1.0f);
       }

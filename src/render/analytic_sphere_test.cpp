@@ -1,4 +1,5 @@
-// A finely tessellated sphere against the sphere itself: silhouette, depth, normals and light, from rays in double precision.
+// A finely tessellated sphere against the sphere itself: silhouette, depth, normals and light, from rays in
+// double precision.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -110,8 +111,8 @@ Frame render(const Shot& shot) {
   return render_frame(sphere(), o);
 }
 
-// Calls visit(index, depth, point, cosine of the viewing angle) for pixels that see the sphere and are drawn, but for the
-// outermost: there a facet's pixel may show a normal that faces away.
+// Calls visit(index, depth, point, cosine of the viewing angle) for pixels that see the sphere and are drawn,
+// but for the outermost: there a facet's pixel may show a normal that faces away.
 template <class Visit>
 void for_each_hit(const Lens& lens, const Frame& frame, Visit visit) {
   for (int y = 0; y < kHeight; ++y) {
@@ -171,7 +172,8 @@ TEST(analytic_sphere, depth) {
     for_each_hit(shot.lens, frame, [&](std::size_t i, double depth, Vec3d, double cosine) {
       const double shown = static_cast<double>(frame.depth.values[i]);
       // 0 at the near plane, 1 at the far plane, linear on the screen.
-      const double at = shot.lens.camera.height > 0 ? n + shown * (f - n) : 1 / (1 / n - shown * (1 / n - 1 / f));
+      const double at =
+          shot.lens.camera.height > 0 ? n + shown * (f - n) : 1 / (1 / n - shown * (1 / n - 1 / f));
       worst = std::max(worst, std::abs(at - depth) * cosine);
     });
     EXPECT_LT(worst, 2 * kError);
@@ -200,7 +202,7 @@ TEST(analytic_sphere, light) {
     const Frame frame = render(shot);
     const reference::Lighting lighting = {shot.lighting == "blinn"   ? LightingModel::blinn
                                           : shot.lighting == "phong" ? LightingModel::phong
-                                                                      : LightingModel::lambert,
+                                                                     : LightingModel::lambert,
                                           sphere().materials.at(0), shot.lights, 0.2f};
     long values = 0, rounded_otherwise = 0;
     double worst = 0;

@@ -1,4 +1,5 @@
-// The promise: the same bytes on every instruction set and number of threads, and a pixel that does not depend on company.
+// The promise: the same bytes on every instruction set and number of threads, and a pixel that does not
+// depend on company.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -92,13 +93,16 @@ std::vector<Case> cases() {
   };
   add("plain", shape_scene("teapot"), sized(333, 217));
   {
-    RenderOptions& o = add("point lights, Phong's lighting, no transfer", shape_scene("sphere?detail=60"), sized(256, 192));
-    o.lights = {lamp_at(Light::Kind::point, {2, 1, 2}, {1, 0.3f, 0.2f}), lamp_at(Light::Kind::point, {-2, 1, 1}, {0.1f, 0.6f, 1})};
+    RenderOptions& o =
+        add("point lights, Phong's lighting, no transfer", shape_scene("sphere?detail=60"), sized(256, 192));
+    o.lights = {lamp_at(Light::Kind::point, {2, 1, 2}, {1, 0.3f, 0.2f}),
+                lamp_at(Light::Kind::point, {-2, 1, 1}, {0.1f, 0.6f, 1})};
     o.lighting = "phong";
     o.transfer = Transfer::none;
   }
   {
-    RenderOptions& o = add("Gouraud, screen interpolation, culled", shape_scene("trefoil?detail=200"), sized(301, 200));
+    RenderOptions& o =
+        add("Gouraud, screen interpolation, culled", shape_scene("trefoil?detail=200"), sized(301, 200));
     o.shading = "gouraud";
     o.interpolation = Interpolation::screen;
     o.cull = Cull::back;
@@ -109,12 +113,14 @@ std::vector<Case> cases() {
     o.camera->height = 2.5;
   }
   {
-    RenderOptions& o = add("loose triangles with colours", shape_scene("triangles?count=3000&size=0.3"), sized(215, 333));
+    RenderOptions& o =
+        add("loose triangles with colours", shape_scene("triangles?count=3000&size=0.3"), sized(215, 333));
     o.shading = "flat";
     o.lights = {lamp_at(Light::Kind::point, {0, 0, 3}, {1, 1, 1})};
   }
   {
-    RenderOptions& o = add("loose triangles, Gouraud", shape_scene("triangles?count=500&size=1"), sized(200, 200));
+    RenderOptions& o =
+        add("loose triangles, Gouraud", shape_scene("triangles?count=500&size=1"), sized(200, 200));
     o.shading = "gouraud";
     o.camera = camera_at({0.1, 0.2, 0.3}, {1, 0, 0}, 110);
   }
@@ -124,14 +130,16 @@ std::vector<Case> cases() {
     o.lighting = "lambert";
   }
   {
-    RenderOptions& o = add("pixel-sized triangles, Phong's lighting", shape_scene("trefoil?detail=1500"), sized(190, 141));
+    RenderOptions& o =
+        add("pixel-sized triangles, Phong's lighting", shape_scene("trefoil?detail=1500"), sized(190, 141));
     o.lighting = "phong";
     o.background = {0.2f, 0.4f, 0.6f, 1};
   }
   {
     RenderOptions& o = add("instances", instances_of("teapot?detail=4"), sized(333, 217));
     o.camera = camera_at({0.5, 1.5, 6}, {0, 0, 0}, 50);
-    o.lights = {lamp_at(Light::Kind::directional, {1, 2, 1}, {0.7f, 0.7f, 0.5f}), lamp_at(Light::Kind::point, {0, 1, 2}, {0.4f, 0.4f, 0.9f})};
+    o.lights = {lamp_at(Light::Kind::directional, {1, 2, 1}, {0.7f, 0.7f, 0.5f}),
+                lamp_at(Light::Kind::point, {0, 1, 2}, {0.4f, 0.4f, 0.9f})};
   }
   {
     RenderOptions& o = add("instances without normals", instances_of("cube?detail=2"), sized(129, 65));
@@ -209,11 +217,12 @@ Scene shuffled(Scene scene, Random& random) {
   return scene;
 }
 
-// Where no two depths are equal, the order of triangles decides in which lanes and runs pixels are shaded, and no more.
+// Where no two depths are equal, the order of triangles decides in which lanes and runs pixels are shaded,
+// and no more.
 TEST(determinism, order_of_triangles_does_not_show) {
   Random random(21);
-  for (const char* text : {"sphere?detail=20", "teapot?detail=6", "trefoil?detail=500", "triangles?count=2000&size=0.2",
-                           "terrain?detail=150"}) {
+  for (const char* text : {"sphere?detail=20", "teapot?detail=6", "trefoil?detail=500",
+                           "triangles?count=2000&size=0.2", "terrain?detail=150"}) {
     const Scene scene = shape_scene(text), other = shuffled(scene, random);
     for (const char* shading : {"phong", "gouraud", "flat"}) {
       SCOPED_TRACE(std::string(text) + ", " + shading);
@@ -229,7 +238,8 @@ TEST(determinism, order_of_triangles_does_not_show) {
   }
 }
 
-// A shape whose corners lie on the grid of 1/256 pixel of pixel_camera(), so that whole pixels can be added without rounding.
+// A shape whose corners lie on the grid of 1/256 pixel of pixel_camera(), so that whole pixels can be added
+// without rounding.
 Scene snapped_shape(const char* text, float pixels) {
   Scene scene = shape_scene(text);
   const auto snap = [&](float v) { return std::round(v * pixels * 256) / 256; };
@@ -239,10 +249,12 @@ Scene snapped_shape(const char* text, float pixels) {
   return scene;
 }
 
-// The same scene elsewhere on a larger canvas: other tiles, other lanes, the same pixels. The small canvas cuts it off.
+// The same scene elsewhere on a larger canvas: other tiles, other lanes, the same pixels. The small canvas
+// cuts it off.
 TEST(determinism, place_on_the_canvas_does_not_show) {
   constexpr int kSmall = 150;
-  for (const char* text : {"sphere?detail=12", "teapot?detail=12", "trefoil?detail=900", "triangles?count=2000&size=0.2"}) {
+  for (const char* text :
+       {"sphere?detail=12", "teapot?detail=12", "trefoil?detail=900", "triangles?count=2000&size=0.2"}) {
     const Scene scene = snapped_shape(text, 90);
     for (const char* shading : {"phong", "gouraud", "flat"}) {
       RenderOptions o = sized(kSmall, kSmall);
@@ -250,8 +262,10 @@ TEST(determinism, place_on_the_canvas_does_not_show) {
       o.lights = {lamp_at(Light::Kind::directional, {1, 2, 3}, {1, 1, 1})};
       o.camera = pixel_camera(kSmall);
       const Frame small = render_frame(scene, o);
-      for (const Vec2<int> shift : {Vec2<int>{16, 0}, {0, 16}, {48, 80}, {64, 64}, {1, 0}, {7, 13}, {-9, -5}}) {
-        SCOPED_TRACE(std::string(text) + ", " + shading + ", moved by " + std::to_string(shift.x) + "," + std::to_string(shift.y));
+      for (const Vec2<int> shift :
+           {Vec2<int>{16, 0}, {0, 16}, {48, 80}, {64, 64}, {1, 0}, {7, 13}, {-9, -5}}) {
+        SCOPED_TRACE(std::string(text) + ", " + shading + ", moved by " + std::to_string(shift.x) + "," +
+                     std::to_string(shift.y));
         constexpr int kLarge = 400, kFirst = (kLarge - kSmall) / 2;
         o.width = o.height = kLarge;
         o.camera = pixel_camera(kLarge);

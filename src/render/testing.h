@@ -30,7 +30,8 @@ inline void render_to(Frame& frame, const Scene& scene, const RenderOptions& opt
   ASSERT_TRUE(status) << status.error().text();
 }
 
-inline Frame render_frame(const Scene& scene, const RenderOptions& options, Isa isa = Isa::best, int threads = 1) {
+inline Frame render_frame(const Scene& scene, const RenderOptions& options, Isa isa = Isa::best,
+                          int threads = 1) {
   Frame frame;
   render_to(frame, scene, options, isa, threads);
   return frame;
@@ -49,7 +50,8 @@ inline Scene scene_of(Mesh mesh, const Material& material = {}) {
   return scene;
 }
 
-/// Orthographic, one world unit a pixel, the origin in the middle of the picture, world z -1..1 from far to near.
+/// Orthographic, one world unit a pixel, the origin in the middle of the picture, world z -1..1 from far to
+/// near.
 inline Camera pixel_camera(int height) {
   Camera camera;
   camera.eye = {0, 0, 2};

@@ -134,8 +134,8 @@ BLYSK_INLINE P inverse_sum(const Weights<P>& w) {
   return P(1.0f) / ((w.of[0] + w.of[1]) + w.of[2]);
 }
 
-/// A power of two that brings the larger of two vectors near length 1, so that products of them neither vanish nor overflow
-/// whatever the unit of length.
+/// A power of two that brings the larger of two vectors near length 1, so that products of them neither
+/// vanish nor overflow whatever the unit of length.
 template <class F>
 BLYSK_INLINE F unit_scale(const V3<F>& a, const V3<F>& b) {
   using I = Integer<F>;

@@ -33,7 +33,8 @@ Vec3d face_normal(const std::array<Corner, 3>& corner) {
 
 Vec3d flat(const ShadedTriangle& t, const std::array<double, 3>& w) {
   const Vec3d centroid = (t.corner[0].position + t.corner[1].position + t.corner[2].position) * (1.0 / 3);
-  return compose(t, w, light_point(t.lighting, centroid, face_normal(t.corner), t.view.towards_viewer(centroid)));
+  return compose(t, w,
+                 light_point(t.lighting, centroid, face_normal(t.corner), t.view.towards_viewer(centroid)));
 }
 
 Vec3d gouraud(const ShadedTriangle& t, const std::array<double, 3>& w) {
@@ -42,7 +43,9 @@ Vec3d gouraud(const ShadedTriangle& t, const std::array<double, 3>& w) {
     const Corner& c = t.corner[k];
     lit[k] = light_point(t.lighting, c.position, c.normal, t.view.towards_viewer(c.position));
   }
-  return compose(t, w, {mix(w, [&](std::size_t k) { return lit[k].diffuse; }), mix(w, [&](std::size_t k) { return lit[k].specular; })});
+  return compose(t, w, {mix(w, [&](std::size_t k) { return lit[k].diffuse; }), mix(w, [&](std::size_t k) {
+                          return lit[k].specular;
+                        })});
 }
 
 Vec3d phong(const ShadedTriangle& t, const std::array<double, 3>& w, Vec3d position) {

@@ -1,4 +1,5 @@
-// shading/shading_reference.h - flat, Gouraud and Phong shading of one triangle at a pixel, in double precision.
+// shading/shading_reference.h - flat, Gouraud and Phong shading of one triangle at a pixel, in double
+// precision.
 //
 // What the kernels are measured against: thesis, section 3 of the specification.
 #pragma once
@@ -19,11 +20,11 @@ struct Viewpoint {
 };
 
 struct Corner {
-  double x = 0, y = 0;       ///< on the screen
-  double q = 1;              ///< 1 / w where perspective counts, else 1
-  Vec3d position;            ///< world
-  Vec3d normal;              ///< world, of any length
-  Vec3d color{1, 1, 1};      ///< of the vertex: multiplies diffuse light
+  double x = 0, y = 0;   ///< on the screen
+  double q = 1;          ///< 1 / w where perspective counts, else 1
+  Vec3d position;        ///< world
+  Vec3d normal;          ///< world, of any length
+  Vec3d color{1, 1, 1};  ///< of the vertex: multiplies diffuse light
 };
 
 struct ShadedTriangle {

@@ -1,6 +1,6 @@
 // The polynomials against libm in double precision; their comments quote the errors measured here.
 #define BLYSK_ISA isa_approx_test
-#include "math/approx.h"
+#include "simd/approx.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,8 @@ TEST(approx, log2) {
   }
   EXPECT_EQ(log2_poly(1.0f), 0.0f);
   Random random(1);
-  for (int i = 0; i < 1000000; ++i) measure(std::ldexp(1 + random.unit(), static_cast<int>(random.next() % 252) - 126));
+  for (int i = 0; i < 1000000; ++i)
+    measure(std::ldexp(1 + random.unit(), static_cast<int>(random.next() % 252) - 126));
   expect_quoted(worst, 1e-7);
 }
 
