@@ -1,6 +1,6 @@
 // The polynomials against libm in double precision; their comments quote the errors measured here.
 #define BLYSK_ISA isa_approx_test
-#include "math/approx.h"
+#include "simd/approx.h"
 
 #include <gtest/gtest.h>
 
