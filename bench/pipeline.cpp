@@ -30,7 +30,7 @@ void Pipeline::transform() {
 
 void Pipeline::assemble() {
   const DrawPlan& plan = plan_.draws[0];
-  bins_.reset(tiles_);
+  bins_.reset(tiles_, options_.limits.max_memory);
   AssembleJob job{};
   job.vertices = vertices_.data();
   job.indices = plan.draw.indices;
