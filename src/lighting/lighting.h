@@ -58,7 +58,7 @@ BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3
   const F rv = reciprocal_root(dot(v, v));
   const F n_v = dot(n, v);
   const auto side = bits_of(n_v) & decltype(bits_of(n_v))(static_cast<std::int32_t>(0x80000000));
-  const F cos_v = float_of_bits(bits_of(n_v) ^ side) * rn * rv;
+  const F n_to_v = float_of_bits(bits_of(n_v) ^ side) * rv;  // |n| cos(n, v)
 
   Intensity<F> sum = {{F(s.ambient[0]), F(s.ambient[1]), F(s.ambient[2])},
                       {F(s.emission[0]), F(s.emission[1]), F(s.emission[2])}};
@@ -71,25 +71,24 @@ BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3
       const F rl = reciprocal_root(max(dot(l, l), F(1e-30f)));
       l = {l.x * rl, l.y * rl, l.z * rl};
     }
-    const F n_l = dot(n, l);
-    const F cos_l = float_of_bits(bits_of(n_l) ^ side) * rn;
-    const F d = max(cos_l, F(0.0f));
+    const F n_to_l = float_of_bits(bits_of(dot(n, l)) ^ side);  // |n| cos(n, l)
+    const F d = max(n_to_l, F(0.0f)) * rn;
     sum.diffuse = {sum.diffuse.x + F(lamp.diffuse[0]) * d, sum.diffuse.y + F(lamp.diffuse[1]) * d,
                    sum.diffuse.z + F(lamp.diffuse[2]) * d};
     if (s.model == LightingModel::lambert) continue;
 
     const F l_v = dot(v, l) * rv;
     // The square of the cosine is what a division gives at once, without the root of |L + V|: for unit L and
-    // V |L + V|^2 = 2 + 2 L.V.
+    // V |L + V|^2 = 2 + 2 L.V. The root of |n| comes last: the division need not wait for it.
     F square;
     if (s.model == LightingModel::blinn) {
-      const F n_h = max(cos_l + cos_v, F(0.0f));
-      square = n_h * n_h / max(F(2.0f) + F(2.0f) * l_v, F(1e-12f));
+      const F n_to_h = max(n_to_l + n_to_v, F(0.0f));
+      square = n_to_h * n_to_h / max(F(2.0f) + F(2.0f) * l_v, F(1e-12f)) * (rn * rn);
     } else {
-      const F r_v = max(F(2.0f) * cos_l * cos_v - l_v, F(0.0f));
+      const F r_v = max(F(2.0f) * n_to_l * n_to_v * (rn * rn) - l_v, F(0.0f));
       square = r_v * r_v;
     }
-    const F lobe = select(cos_l > F(0.0f), power_lobe(square, s), F(0.0f));
+    const F lobe = select(n_to_l > F(0.0f), power_lobe(square, s), F(0.0f));
     sum.specular = {sum.specular.x + F(lamp.specular[0]) * lobe, sum.specular.y + F(lamp.specular[1]) * lobe,
                     sum.specular.z + F(lamp.specular[2]) * lobe};
   }

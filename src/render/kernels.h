@@ -5,6 +5,7 @@
 
 #include "blysk/render.h"
 #include "geometry/assemble.h"
+#include "geometry/support.h"
 #include "geometry/transform.h"
 #include "raster/tile.h"
 #include "shading/shade.h"
@@ -18,6 +19,7 @@ struct ShadingKernel {
 
 struct Kernels {
   Isa isa;
+  SupportFunction support;
   TransformFunction transform;
   AssembleFunction assemble;
   RasterizeFunction rasterize;

@@ -1,7 +1,6 @@
 #include "render/view.h"
 
 #include <algorithm>
-#include <array>
 
 #include "math/trig.h"
 
@@ -109,93 +108,6 @@ Result<ViewFrame> make_view(const Camera& camera, const Scene& scene, int width,
     rays.depth_b = static_cast<float>((f - n) / n);
   }
   return v;
-}
-
-namespace {
-
-Vec3d looking_from(View view) {
-  switch (view) {
-    case View::front:
-      return {0, 0, 1};
-    case View::back:
-      return {0, 0, -1};
-    case View::left:
-      return {-1, 0, 0};
-    case View::right:
-      return {1, 0, 0};
-    case View::top:
-      return {0, 1, 0};
-    case View::bottom:
-      return {0, -1, 0};
-    case View::iso:
-      break;
-  }
-  return normalize(Vec3d{1, 0.8, 1.4});
-}
-
-// The largest dot product of any vertex of the scene with each axis.
-template <std::size_t N>
-std::array<double, N> support(const Scene& scene, const std::array<Vec3d, N>& axes) {
-  std::array<double, N> most;
-  most.fill(-1e300);
-  for (const Instance& instance : scene.instances) {
-    for (std::size_t k = 0; k < N; ++k) {
-      // The axis is carried into the mesh's coordinates, not every vertex out of them.
-      const auto& m = instance.transform.m;
-      const Vec3d axis = axes[k];
-      const auto column = [&](int j) { return axis.x * m[0][j] + axis.y * m[1][j] + axis.z * m[2][j]; };
-      const Vec3d local = {column(0), column(1), column(2)};
-      double far = -1e300;
-      for (const Vec3f& p : scene.meshes[instance.mesh].positions)
-        far = std::max(far, dot(local, to_double(p)));
-      most[k] = std::max(most[k], far + column(3));
-    }
-  }
-  return most;
-}
-
-}  // namespace
-
-Camera frame_camera(const Scene& scene, const Framing& framing) {
-  constexpr double kMargin = 1.06;
-  const Vec3d from = looking_from(framing.view);
-  const Vec3d forward = -from;
-  Camera c;
-  c.fov_deg = framing.fov_deg;
-  c.up = framing.view == View::top      ? Vec3d{0, 0, -1}
-         : framing.view == View::bottom ? Vec3d{0, 0, 1}
-                                        : Vec3d{0, 1, 0};
-  const Vec3d right = normalize(cross(forward, c.up));
-  const Vec3d up = cross(right, forward);
-  const double half = tangent(radians(framing.fov_deg) * 0.5);
-  const double high = half / kMargin, wide = high * framing.aspect;
-  const Bounds bounds = scene.bounds();
-  const bool empty = bounds.empty() || !(bounds.radius() > 0);
-  const Vec3d center = bounds.empty() ? Vec3d{} : bounds.center();
-  const double radius = empty ? 1 : bounds.radius();
-
-  if (framing.orthographic) {
-    const auto s = empty ? std::array<double, 4>{radius, radius, radius, radius}
-                         : support(scene, std::array{right, -right, up, -up});
-    c.height =
-        kMargin * std::max({s[2] + s[3], (s[0] + s[1]) / framing.aspect, 1e-6 * radius}) / framing.zoom;
-    c.target = right * ((s[0] - s[1]) * 0.5) + up * ((s[2] - s[3]) * 0.5) + forward * dot(forward, center);
-    c.eye = c.target + from * (2 * radius);
-    return c;
-  }
-  // The eye is where the four planes of the picture, pushed against the scene, meet: of the two pairs the one
-  // that needs more distance decides.
-  const auto s = empty ? std::array<double, 4>{1, 1, 1, 1}
-                       : support(scene, std::array{right - forward * wide, -right - forward * wide,
-                                                   up - forward * high, -up - forward * high});
-  const double back = std::max((s[0] + s[1]) / (2 * wide), (s[2] + s[3]) / (2 * high));
-  c.eye = right * ((s[0] - s[1]) * 0.5) + up * ((s[2] - s[3]) * 0.5) - forward * back;
-  c.target = c.eye + forward * std::max(dot(forward, center - c.eye), 1e-3 * radius);
-  // Zoom narrows the view: the eye stays outside of the scene.
-  if (framing.zoom != 1) {
-    c.fov_deg = std::clamp(2 * arc_tangent(half / framing.zoom) * (180.0 / kPi), 1.0, 170.0);
-  }
-  return c;
 }
 
 }  // namespace blysk

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "blysk/vector.h"
+
 namespace blysk {
 struct TransformJob;
 struct AssembleJob;
@@ -17,6 +19,7 @@ struct ShadeJob;
 
 namespace BLYSK_ISA {
 void transform_vertices(const TransformJob& job);
+void support(const Vec3f* points, std::size_t count, const Vec3f* axis, float* reach);
 void assemble_triangles(AssembleJob& job);
 int rasterize_tile(const TileJob& job);
 void store_tile(const TileBuffers& tile, int width, int rows, std::uint32_t* to, std::size_t stride);
