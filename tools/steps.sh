@@ -48,7 +48,7 @@ run_ctest() {
   # Failures with their output stand before the summary.
   if [[ $status -ne 0 ]]; then
     sed -n '/^[0-9]*% tests passed/q;p' "$log" |
-      grep -v -E '^(Internal ctest|Test project)|^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test .* Passed )' |
+      grep -v -E '^(Internal ctest|Test project)|^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test .* (Passed|\*\*\*Skipped) )' |
       tail -n 120
   fi
   sed -n '/^[0-9]*% tests passed/,$p' "$log"

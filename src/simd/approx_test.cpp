@@ -1,4 +1,5 @@
 // The polynomials against libm in double precision; their comments quote the errors measured here.
+#define HWY_COMPILE_ONLY_SCALAR  // floats only; a build for ARM would ask for its own flags
 #define BLYSK_ISA isa_approx_test
 #include "simd/approx.h"
 
