@@ -111,14 +111,17 @@ struct Errors {
 
 template <class Shape>
 Errors measure(double n, Shape shape, int steps = 20'000) {
-  const double end = std::min(std::numbers::pi / 2, 9 / std::sqrt(n));
   Errors e;
-  for (int i = 0; i < steps; ++i) {
-    const double c = std::cos(end * i / steps), exact = std::pow(c, n), error = std::abs(shape(c) - exact);
-    if (exact >= 0.5) e.centre = std::max(e.centre, error / exact);
-    if (exact >= 0.25 && exact <= 0.5) e.bloom = std::max(e.bloom, error);
+  const auto look = [&](double c) {
+    const double exact = std::pow(c, n), error = std::abs(shape(c) - exact);
+    constexpr double kRounding = 1e-12;
+    if (exact >= 0.5 - kRounding) e.centre = std::max(e.centre, error / exact);
+    if (exact >= 0.25 - kRounding && exact <= 0.5 + kRounding) e.bloom = std::max(e.bloom, error);
     e.all = std::max(e.all, error);
-  }
+  };
+  const double end = std::min(std::numbers::pi / 2, 9 / std::sqrt(n));
+  for (int i = 0; i < steps; ++i) look(std::cos(end * i / steps));
+  for (const double level : {0.25, 0.5}) look(std::pow(level, 1 / n));
   return e;
 }
 
@@ -136,9 +139,9 @@ TEST(lobe, errors_of_w_are_those_of_the_specification) {
       {1000, {2.70, 1.35, 1.37}, {5.29, 2.65, 2.68}, {10.05, 5.03, 5.07}, {18.11, 16.89, 20.34}},
   };
   const auto expect = [](const Errors& measured, const Errors& printed) {
-    EXPECT_NEAR(100 * measured.centre, printed.centre, 0.0065);
-    EXPECT_NEAR(100 * measured.bloom, printed.bloom, 0.0065);
-    EXPECT_NEAR(100 * measured.all, printed.all, 0.0065);
+    EXPECT_NEAR(100 * measured.centre, printed.centre, 0.0053);  // n = 50, k = 4: 9.1848
+    EXPECT_NEAR(100 * measured.bloom, printed.bloom, 0.0051);
+    EXPECT_NEAR(100 * measured.all, printed.all, 0.0051);
   };
   for (const Row& r : kRows) {
     SCOPED_TRACE(r.n);
@@ -321,9 +324,9 @@ struct Shot {
 
 // A sphere without perspective: the picture of normals says what every pixel was lit with.
 Shot shot_of(const Named& named, LightingModel model, float shininess) {
-  constexpr int kSide = 128;
+  constexpr int kSide = 100;
   Shot shot;
-  Result<Scene> sphere = make_shape("sphere?detail=40");
+  Result<Scene> sphere = make_shape("sphere?detail=16");
   EXPECT_TRUE(sphere);
   shot.scene = std::move(*sphere);
   for (Vec3f& p : shot.scene.meshes.at(0).positions) p = p * (0.45f * kSide);
@@ -367,14 +370,14 @@ double worst_error(const Shot& shot, const Frame& frame) {
       worst = std::max(worst, std::abs(shown - 255 * std::min(1.0, expected[k])));
     }
   }
-  EXPECT_GT(covered, 9000);
+  EXPECT_GT(covered, 6000);
   return worst;
 }
 
 TEST(lobe, pictures_of_every_instruction_set_agree_with_the_reference) {
   for (const Named& named : kLobes) {
     for (const LightingModel model : {LightingModel::blinn, LightingModel::phong}) {
-      for (const float n : {2.0f, 10.0f, 40.5f, 300.0f}) {
+      for (const float n : {2.0f, 40.5f, 300.0f}) {
         SCOPED_TRACE(named.name + (", n " + std::to_string(n)) +
                      (model == LightingModel::blinn ? ", Blinn" : ", Phong"));
         const Shot shot = shot_of(named, model, n);
