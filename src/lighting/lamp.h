@@ -7,7 +7,7 @@ namespace blysk {
 enum class LightingModel { lambert, phong, blinn };
 
 /// How the specular term falls off (the registry's `lobe`).
-enum class Lobe { power };
+enum class Lobe { power, schlick, w3, w4, w7, w8, w15, w16, logarithmic, quadratic, cosine_squared };
 
 /// One light, already multiplied by the material.
 struct Lamp {
@@ -24,6 +24,8 @@ struct Surface {
   Lobe lobe;
   float shininess;
   int whole_shininess;  ///< the same if it is an integer, else 0
+  float lobe_scale;     ///< of the lobes that end before 90 degrees: set_lobe()
+  int lobe_exponent;    ///< likewise
   float ambient[3];     ///< ka * Ia
   float emission[3];
   int lamps;

@@ -7,7 +7,7 @@
 // vectors: N.L / |N| costs one reciprocal root and one multiplication instead of three.
 #pragma once
 
-#include "lighting/lamp.h"
+#include "lighting/lobe.h"
 #include "simd/approx.h"
 #include "simd/lanes.h"
 
@@ -25,23 +25,6 @@ BLYSK_INLINE F dot(const V3<F>& a, const V3<G>& b) {
 
 template <class F>
 using Rgb = V3<F>;
-
-/// cos^n from the square of a cosine in [0, 1].
-template <class F>
-BLYSK_INLINE F power_lobe(F square, const Surface& s) {
-  if (s.whole_shininess == 0) {
-    return select(square > F(0.0f), power_poly(max(square, F(1e-30f)), 0.5f * s.shininess), F(0.0f));
-  }
-  if (s.whole_shininess == 1) return sqrt(square);
-  // (cos^2)^(n/2) by repeated squaring from the highest bit of n/2: at most two multiplications a bit.
-  const int half = s.whole_shininess >> 1;
-  F r = square;
-  for (int bit = 30 - __builtin_clz(static_cast<unsigned>(half)); bit >= 0; --bit) {
-    r = r * r;
-    if (((half >> bit) & 1) != 0) r = r * square;
-  }
-  return (s.whole_shininess & 1) != 0 ? r * sqrt(square) : r;
-}
 
 /// The light that leaves a point: what Gouraud shading interpolates.
 template <class F>
@@ -88,7 +71,7 @@ BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3
       const F r_v = max(F(2.0f) * n_to_l * n_to_v * (rn * rn) - l_v, F(0.0f));
       square = r_v * r_v;
     }
-    const F lobe = select(n_to_l > F(0.0f), power_lobe(square, s), F(0.0f));
+    const F lobe = select(n_to_l > F(0.0f), specular_lobe(square, s), F(0.0f));
     sum.specular = {sum.specular.x + F(lamp.specular[0]) * lobe, sum.specular.y + F(lamp.specular[1]) * lobe,
                     sum.specular.z + F(lamp.specular[2]) * lobe};
   }

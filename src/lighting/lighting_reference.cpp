@@ -1,7 +1,8 @@
 #include "lighting/lighting_reference.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "lighting/lobe_reference.h"
 
 namespace blysk::reference {
 namespace {
@@ -21,10 +22,10 @@ double cos_halfway(const Directions& d) {
   return l > 1e-9 ? dot(d.normal, sum) / l : 0;
 }
 
-double specular(LightingModel model, const Directions& d, double n) {
+double specular(LightingModel model, const Directions& d, double n, Lobe lobe) {
   if (model == LightingModel::lambert || !(dot(d.normal, d.light) > 0)) return 0;
   const double c = model == LightingModel::blinn ? cos_halfway(d) : cos_reflected(d);
-  return c > 0 ? std::pow(std::min(c, 1.0), n) : 0;
+  return specular_lobe(lobe, std::min(c, 1.0), n);
 }
 
 Intensity light_point(const Lighting& lighting, Vec3d position, Vec3d normal, Vec3d viewer) {
@@ -42,7 +43,8 @@ Intensity light_point(const Lighting& lighting, Vec3d position, Vec3d normal, Ve
     const Vec3d il = to_double(light.color);
     sum.diffuse = sum.diffuse + multiply(il, kd) * std::max(0.0, dot(d.normal, d.light));
     sum.specular =
-        sum.specular + multiply(il, ks) * specular(lighting.model, d, static_cast<double>(m.shininess));
+        sum.specular +
+        multiply(il, ks) * specular(lighting.model, d, static_cast<double>(m.shininess), lighting.lobe);
   }
   return sum;
 }

@@ -19,8 +19,8 @@ struct Directions {
 double cos_reflected(const Directions& d);
 /// N.H of H = (L + V)/|L + V|; 0 where L + V is 0.
 double cos_halfway(const Directions& d);
-/// cos^n of the model's angle; 0 where the light is behind the surface.
-double specular(LightingModel model, const Directions& d, double n);
+/// The lobe at the model's angle; 0 where the light is behind the surface.
+double specular(LightingModel model, const Directions& d, double n, Lobe lobe = Lobe::power);
 
 /// What lights a draw.
 struct Lighting {
@@ -28,6 +28,7 @@ struct Lighting {
   Material material;
   std::vector<Light> lights;
   double ambient = 0;  ///< Ia
+  Lobe lobe = Lobe::power;
 };
 
 /// Light that leaves a point, apart: vertex colours multiply the diffuse part only.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "blysk/methods.h"
+#include "lighting/set_lobe.h"
 
 namespace blysk {
 namespace {
@@ -51,14 +52,33 @@ void set_color(float* to, Vec3f v) {
   set(to, {bounded(v.x), bounded(v.y), bounded(v.z)});
 }
 
+struct NamedLobe {
+  std::string_view name;
+  Lobe lobe;
+};
+
+constexpr NamedLobe kLobes[] = {
+    {"power", Lobe::power},
+    {"schlick", Lobe::schlick},
+    {"w3", Lobe::w3},
+    {"w4", Lobe::w4},
+    {"w7", Lobe::w7},
+    {"w8", Lobe::w8},
+    {"w15", Lobe::w15},
+    {"w16", Lobe::w16},
+    {"logarithmic", Lobe::logarithmic},
+    {"quadratic", Lobe::quadratic},
+    {"cosine-squared", Lobe::cosine_squared},
+};
+
 Surface make_surface(const Material& m, const std::vector<Light>& lights, const RenderOptions& o) {
   Surface s{};
   s.model = o.lighting == "blinn"   ? LightingModel::blinn
             : o.lighting == "phong" ? LightingModel::phong
                                     : LightingModel::lambert;
-  s.lobe = Lobe::power;
   s.shininess = std::clamp(m.shininess, 1.0f, 1000.0f);
   s.whole_shininess = s.shininess == std::floor(s.shininess) ? static_cast<int>(s.shininess) : 0;
+  set_lobe(s, std::ranges::find(kLobes, std::string_view(o.lobe), &NamedLobe::name)->lobe);
   set_color(s.ambient, m.unlit ? m.color : m.color * o.ambient);
   set_color(s.emission, m.emission);
   for (const Light& light : m.unlit ? std::vector<Light>{} : lights) {
