@@ -24,7 +24,8 @@ struct ThreadPool::State {
   std::vector<std::thread> helpers;
   std::mutex mutex;
   std::condition_variable wake;
-  const std::function<void(int, std::size_t)>* work = nullptr;  // guarded by generation
+  const void* work = nullptr;  // with call and items: guarded by generation
+  Call call = nullptr;
   std::size_t items = 0;
   std::atomic<std::size_t> next{0};
   std::atomic<int> busy{0};
@@ -38,7 +39,7 @@ struct ThreadPool::State {
       const std::size_t item = next.fetch_add(1, std::memory_order_relaxed);
       if (item >= items) return;
       try {
-        (*work)(worker, item);
+        call(work, worker, item);
       } catch (...) {
         const std::lock_guard lock(mutex);
         if (!thrown) thrown = std::current_exception();
@@ -95,13 +96,14 @@ ThreadPool::~ThreadPool() {
 
 int ThreadPool::size() const { return static_cast<int>(state_->helpers.size()) + 1; }
 
-void ThreadPool::for_each(std::size_t items, const std::function<void(int, std::size_t)>& work) {
+void ThreadPool::run(std::size_t items, const void* work, Call call) {
   State& s = *state_;
   if (s.helpers.empty() || items <= 1) {
-    for (std::size_t i = 0; i < items; ++i) work(0, i);
+    for (std::size_t i = 0; i < items; ++i) call(work, 0, i);
     return;
   }
-  s.work = &work;
+  s.work = work;
+  s.call = call;
   s.items = items;
   s.next.store(0, std::memory_order_relaxed);
   s.busy.store(static_cast<int>(s.helpers.size()), std::memory_order_relaxed);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 
 namespace blysk {
@@ -22,9 +21,17 @@ class ThreadPool {
 
   /// Calls work(worker, item) for every item in 0..items-1, worker in 0..size()-1. Each worker sees its
   /// items in ascending order. Returns when all are done; then throws the first exception that `work` threw.
-  void for_each(std::size_t items, const std::function<void(int worker, std::size_t item)>& work);
+  template <class Work>
+  void for_each(std::size_t items, const Work& work) {
+    // By address: a std::function of a large lambda would allocate in every loop of every frame.
+    run(items, &work,
+        [](const void* w, int worker, std::size_t item) { (*static_cast<const Work*>(w))(worker, item); });
+  }
 
  private:
+  using Call = void (*)(const void* work, int worker, std::size_t item);
+  void run(std::size_t items, const void* work, Call call);
+
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "blysk/methods.h"
 #include "lighting/set_lobe.h"
@@ -14,6 +15,16 @@ constexpr std::size_t kMostTriangles = std::size_t{1} << 31;  // ids are signed 
 constexpr std::size_t kMostVertices = std::size_t{1} << 29;   // 4 * index is a signed 32-bit offset
 
 Error failure(ErrorCode code, std::string message) { return {code, std::move(message), {}, 0}; }
+
+Status check(const Scene& scene) {
+  for (const Instance& i : scene.instances) {
+    if (i.mesh >= scene.meshes.size() || i.material >= scene.materials.size()) {
+      return failure(ErrorCode::usage,
+                     "an instance refers to a mesh or material that the scene does not have");
+    }
+  }
+  return Done{};
+}
 
 Status check(const RenderOptions& o) {
   if (o.width < 1 || o.height < 1 || o.width > kLargestSide || o.height > kLargestSide) {
@@ -71,7 +82,7 @@ constexpr NamedLobe kLobes[] = {
     {"cosine-squared", Lobe::cosine_squared},
 };
 
-Surface make_surface(const Material& m, const std::vector<Light>& lights, const RenderOptions& o) {
+Surface make_surface(const Material& m, std::span<const Light> lights, const RenderOptions& o) {
   Surface s{};
   s.model = o.lighting == "blinn"   ? LightingModel::blinn
             : o.lighting == "phong" ? LightingModel::phong
@@ -81,7 +92,7 @@ Surface make_surface(const Material& m, const std::vector<Light>& lights, const 
   set_lobe(s, std::ranges::find(kLobes, std::string_view(o.lobe), &NamedLobe::name)->lobe);
   set_color(s.ambient, m.unlit ? m.color : m.color * o.ambient);
   set_color(s.emission, m.emission);
-  for (const Light& light : m.unlit ? std::vector<Light>{} : lights) {
+  for (const Light& light : m.unlit ? std::span<const Light>() : lights) {
     Lamp& lamp = s.lamp[s.lamps++];
     lamp.point = light.kind == Light::Kind::point;
     set(lamp.vector, to_float(lamp.point ? light.vector : normalize(light.vector)));
@@ -146,6 +157,7 @@ std::uint32_t pack_background(Vec4f c) {
 
 Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& plan) {
   if (const Status s = check(options); !s) return s.error();
+  if (const Status s = check(scene); !s) return s.error();
   Camera camera;
   if (options.camera) {
     camera = *options.camera;
@@ -156,18 +168,17 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
   if (!view) return view.error();
   plan.view = *view;
 
-  std::vector<Light> lights = !options.lights.empty() ? options.lights : scene.lights;
-  if (lights.empty()) lights.push_back(key_light(plan.view));
-  if (lights.size() > kMaxLamps) return failure(ErrorCode::limit, "a picture may have at most 16 lights");
+  const Light key = key_light(plan.view);
+  std::span<const Light> lights = !options.lights.empty() ? options.lights : scene.lights;
+  if (lights.empty()) lights = {&key, 1};
+  if (lights.size() > kMaxLamps) {
+    return failure(ErrorCode::limit, "a picture may have at most 16 lights");
+  }
 
   plan.draws.clear();
   plan.vertices = plan.triangles = 0;
   plan.background = pack_background(options.background);
   for (const Instance& instance : scene.instances) {
-    if (instance.mesh >= scene.meshes.size() || instance.material >= scene.materials.size()) {
-      return failure(ErrorCode::usage,
-                     "an instance refers to a mesh or material that the scene does not have");
-    }
     if (scene.meshes[instance.mesh].indices.size() < 3) continue;
     DrawPlan p = plan_draw(scene, instance, plan.view);
     const Material& material = scene.materials[instance.material];
@@ -178,7 +189,7 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
     p.draw.id_count = static_cast<std::uint32_t>(p.triangles);
     plan.vertices += p.vertices;
     plan.triangles += p.triangles;
-    if (plan.triangles >= std::min<std::uint64_t>(kMostTriangles, options.limits.max_triangles + 1) ||
+    if (plan.triangles > options.limits.max_triangles || plan.triangles >= kMostTriangles ||
         plan.vertices >= kMostVertices) {
       return failure(ErrorCode::limit, "the scene has more triangles or vertices than the limits allow (" +
                                            std::to_string(options.limits.max_triangles) + " triangles)");

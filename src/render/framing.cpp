@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <array>
 
+#include "blysk/render.h"
 #include "math/trig.h"
-#include "render/kernels.h"
+#include "render/reach.h"
 
 namespace blysk {
 namespace {
@@ -28,31 +29,6 @@ Vec3d looking_from(View view) {
   return normalize(Vec3d{1, 0.8, 1.4});
 }
 
-// How far the scene reaches along each axis.
-std::array<double, kSupportAxes> support(const Scene& scene, const std::array<Vec3d, kSupportAxes>& axes) {
-  constexpr float kLeast = -3e38f;
-  std::array<double, kSupportAxes> most;
-  most.fill(-1e300);
-  for (const Instance& instance : scene.instances) {
-    const Array<Vec3f>& points = scene.meshes[instance.mesh].positions;
-    if (points.empty()) continue;
-    // Axes are carried into the mesh's coordinates, not every vertex out of them.
-    const auto& m = instance.transform.m;
-    Vec3f local[kSupportAxes];
-    float reach[kSupportAxes];
-    const auto column = [&](Vec3d a, int j) { return a.x * m[0][j] + a.y * m[1][j] + a.z * m[2][j]; };
-    for (std::size_t k = 0; k < kSupportAxes; ++k) {
-      local[k] = to_float(Vec3d{column(axes[k], 0), column(axes[k], 1), column(axes[k], 2)});
-      reach[k] = kLeast;
-    }
-    kernels(Isa::best).support(points.data(), points.size(), local, reach);
-    for (std::size_t k = 0; k < kSupportAxes; ++k) {
-      most[k] = std::max(most[k], double{reach[k]} + column(axes[k], 3));
-    }
-  }
-  return most;
-}
-
 }  // namespace
 
 Camera frame_camera(const Scene& scene, const Framing& framing) {
@@ -69,8 +45,8 @@ Camera frame_camera(const Scene& scene, const Framing& framing) {
   const double half = tangent(radians(framing.fov_deg) * 0.5);
   // The planes of a perspective picture lean outwards, those of an orthographic one do not.
   const double high = framing.orthographic ? 0 : half / kMargin, wide = high * framing.aspect;
-  auto s = support(scene, {right - forward * wide, -right - forward * wide, up - forward * high,
-                           -up - forward * high, forward, -forward});
+  auto s = reach(scene, {right - forward * wide, -right - forward * wide, up - forward * high,
+                         -up - forward * high, forward, -forward});
   if (s[0] < -1e200) s = {1, 1, 1, 1, 1, 1};  // nothing there: frame a box of side 2
   const double across = s[0] + s[1], tall = s[2] + s[3], deep = s[4] + s[5];
   const double least = 1e-6 * std::max({std::abs(s[0]), std::abs(s[2]), std::abs(s[4]), 1e-30});
@@ -82,7 +58,7 @@ Camera frame_camera(const Scene& scene, const Framing& framing) {
   } else {
     // The eye is where the four planes, pushed against the scene, meet: of the two pairs the one that needs
     // more distance decides.
-    depth = -std::max({across / (2 * wide), tall / (2 * high), s[5] + least});
+    depth = -std::max({across / (2 * wide), tall / (2 * high), s[5] + 0.05 * deep + least});
     // Zoom narrows the view: the eye stays outside of the scene.
     if (framing.zoom != 1) {
       c.fov_deg = std::clamp(2 * arc_tangent(half / framing.zoom) * (180.0 / kPi), 1.0, 170.0);

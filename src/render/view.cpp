@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "math/trig.h"
+#include "render/reach.h"
 
 namespace blysk {
 namespace {
@@ -15,16 +16,11 @@ bool finite(Vec3d v) { return length(v) < 1e150; }
 
 // The planes that just enclose the scene, with a little room for rounding.
 void enclose(const Scene& scene, const Camera& camera, ViewFrame& view) {
-  double nearest = 1e300, farthest = -1e300;
-  const Bounds b = scene.bounds();
-  if (b.empty()) nearest = farthest = length(camera.target - camera.eye);
-  for (int corner = 0; corner < 8 && !b.empty(); ++corner) {
-    const Vec3d p = {(corner & 1) != 0 ? b.hi.x : b.lo.x, (corner & 2) != 0 ? b.hi.y : b.lo.y,
-                     (corner & 4) != 0 ? b.hi.z : b.lo.z};
-    const double d = dot(p - camera.eye, view.forward);
-    nearest = std::min(nearest, d);
-    farthest = std::max(farthest, d);
-  }
+  const auto ends = reach(scene, {view.forward, -view.forward});
+  const double eye = dot(camera.eye, view.forward);
+  const bool empty = ends[0] < -1e200;
+  const double nearest = empty ? length(camera.target - camera.eye) : -ends[1] - eye;
+  const double farthest = empty ? nearest : ends[0] - eye;
   const double room = 0.01 * (farthest - nearest) + 1e-6 * length(camera.target - camera.eye);
   view.near_distance = camera.near_distance > 0 ? camera.near_distance : nearest - room;
   view.far_distance = camera.far_distance > 0 ? camera.far_distance : farthest + room;
