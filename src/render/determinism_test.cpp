@@ -155,7 +155,7 @@ std::vector<Case> cases() {
       o.lights.push_back(lamp_at(kind, {2.0 - 0.3 * i, 1 + 0.1 * i, 3.0 - i * 0.1}, {0.05f, 0.08f, 0.06f}));
     }
   }
-  // Every method from close by, where triangles are large and clipped, and from afar; with colours and without normals.
+  // Every method from close by, where triangles are clipped, with colours; and from afar, without normals.
   for (const std::string& shading : shadings()) {
     RenderOptions& close = add((shading + ", clipped").c_str(), shape_scene("triangles?count=300&size=1"), sized(200, 200));
     close.shading = shading;

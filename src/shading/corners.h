@@ -52,11 +52,11 @@ BLYSK_INLINE V3<F> times(const float* m, int stride, const V3<F>& v) {
 /// Corners on the screen, homogeneous: a pixel at (x, y) is x[k] - w[k] * x away.
 template <class F>
 struct Corners {
-  Integer<F> vertex[3];  ///< of the mesh
-  F x[3], y[3], w[3];    ///< subpixels; w is 1 unless the triangle was clipped
-  F q[3];                ///< weight of a corner's attributes: 1 / w where perspective counts, else 1
-  F nearness[3];         ///< of placed corners
-  bool clipped;          ///< any w is not 1
+  Integer<F> vertex[3];          ///< of the mesh
+  F x[3], y[3], w[3];            ///< subpixels; w is 1 unless the triangle was clipped
+  F q[3];                        ///< weight of a corner's attributes: 1 / w where perspective counts, else 1
+  F nearness[3];                 ///< of placed corners
+  bool clipped;                  ///< any w is not 1
   decltype(F() < F()) unplaced;  ///< has an unplaced corner: only pieces of it, clipped, are drawn
 };
 
@@ -136,8 +136,8 @@ BLYSK_INLINE P inverse_sum(const Weights<P>& w) {
   return P(1.0f) / ((w.of[0] + w.of[1]) + w.of[2]);
 }
 
-/// A power of two that brings the larger of two vectors near length 1, so that products of them neither vanish nor overflow
-/// whatever the unit of length.
+/// A power of two that brings the larger of two vectors near length 1, so that products of them neither
+/// vanish nor overflow whatever the unit of length.
 template <class F>
 BLYSK_INLINE F unit_scale(const V3<F>& a, const V3<F>& b) {
   using I = Integer<F>;

@@ -1,9 +1,9 @@
-// Shading with a cubic polynomial on each row: four points of the row are lit, a cubic is laid through the four
-// values of N.L and of cos^n of every lamp.
+// Shading with a cubic polynomial on each row: four points of the row are lit, a cubic is laid through the
+// four values of N.L and of cos^n of every lamp.
 //
-// Based on: the shading thesis, chapter 2.2, section 5 of its specification; the robust form of the coefficients
-// (5.2) with an exact third. Differs in: samples are what Phong shading shows at their points, perspective and near
-// lamps included; rows of up to four pixels are lit pixel by pixel.
+// Based on: the shading thesis, chapter 2.2, section 5 of its specification; the robust form of the
+// coefficients (5.2) with an exact third. Differs in: samples are what Phong shading shows at their points,
+// perspective and near lamps included; rows of up to four pixels are lit pixel by pixel.
 #include "shading/lit_triangle.h"
 #include "shading/shade_tile.h"
 #include "simd/kernels.h"

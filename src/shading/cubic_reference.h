@@ -26,8 +26,9 @@ inline RowCubic row_cubic(const FourSamples& i, double third = 1.0 / 3) {
 
 /// The form that the thesis prints; a third that is not exact shows (erratum E14).
 inline RowCubic printed_row_cubic(const FourSamples& i, double third = 1.0 / 3) {
-  return {8 * (i.i2 + 8 * i.i4) * third - 8 * (i.i1 + 2 * i.i3), 2 * (7 * i.i1 - i.i2 + 10 * i.i3 - 16 * i.i4),
-          (i.i2 + 32 * i.i4) * third - 7 * i.i1 - 4 * i.i3, i.i1};
+  return {8 * (i.i2 + 8 * i.i4) * third - 8 * (i.i1 + 2 * i.i3),
+          2 * (7 * i.i1 - i.i2 + 10 * i.i3 - 16 * i.i4), (i.i2 + 32 * i.i4) * third - 7 * i.i1 - 4 * i.i3,
+          i.i1};
 }
 
 }  // namespace blysk::reference

@@ -1,9 +1,8 @@
-// Gouraud shading with one increment for the whole triangle: corners are lit and coloured, colours are carried down
-// the long edge and along each row.
+// Gouraud shading with one increment for the whole triangle: corners are lit and coloured, colours are carried
+// down the long edge and along each row.
 //
-// Based on: the simplified Gouraud shading of the fragment paper, specification of the A-buffer, part B: the
-// increment along a row is the same for all rows. Differs in: pixels of a row are a product away from its start
-// instead of a sum, so that sixteen of them are independent.
+// Based on: the Gouraud paper, part B of its specification: the increment along a row is the same for all rows.
+// Differs in: a pixel is a product away from the row's start instead of a sum, so that sixteen are independent.
 #include "shading/corner_light.h"
 #include "shading/row.h"
 #include "shading/shade_tile.h"

@@ -1,4 +1,5 @@
-// shading/gouraud_constant_reference.h - simplified Gouraud shading as the paper writes it, in double precision.
+// shading/gouraud_constant_reference.h - simplified Gouraud shading as the paper writes it, in double
+// precision.
 //
 // Specification of the A-buffer, sections B.1 to B.3.
 #pragma once
@@ -15,8 +16,8 @@ struct LitCorner {
 };
 
 struct ConstantIncrements {
-  double area;         ///< det: twice the area; 0: nothing is drawn, dx and dy mean nothing
-  double dx, dy;       ///< a pixel to the right, a pixel down
+  double area;    ///< det: twice the area; 0: nothing is drawn, dx and dy mean nothing
+  double dx, dy;  ///< a pixel to the right, a pixel down
 };
 
 inline ConstantIncrements constant_increments(const std::array<LitCorner, 3>& c) {

@@ -1,10 +1,11 @@
-// shading/lit_triangle.h - what interpolation of light starts from: Phong's light at single points of a triangle,
-// lamp by lamp, and the way back from interpolated values to a colour.
+// shading/lit_triangle.h - what interpolation of light starts from: Phong's light at single points of a
+// triangle, lamp by lamp, and the way back from interpolated values to a colour.
 //
-// Of each lamp two numbers are interpolated, N.L and cos^n: that is right for lamps of any number and colour. N.L
-// is signed, and clamped after interpolation: a clamped sample would put a kink into the triangle (specification of
-// the shading thesis, sections 0.2 and 4.6). Which side of the surface is seen is decided once a triangle, by its
-// face: samples of one triangle must not jump from side to side.
+// Of each lamp two numbers are interpolated, N.L and cos^n: that is right for lamps of any number and colour.
+// N.L is signed, and clamped after interpolation: a clamped sample would put a kink into the triangle
+// (specification of the shading thesis, sections 0.2 and 4.6). Which side of the surface is seen is decided
+// once a triangle, by the mean of its normals: samples of one triangle must not jump from side to side, and
+// the face of a sliver says little.
 #pragma once
 
 #include "shading/corner_light.h"
@@ -31,12 +32,15 @@ BLYSK_INLINE LitTriangle<F> fetch_lit_triangle(const ShadeJob& job, Integer<F> i
   sort_corners(t.corners);
   V3<F>* n = t.normal;
   for (int k = 0; k < 3; ++k) n[k] = corner_normal(job, t.corners, k);
-  // Whichever way the face turns, its corners' normals are meant for the side that most of them is on.
-  const V3<F> face = face_normal(job, t.corners);
-  const V3<F> viewer = viewer_from(job, world_position<F>(job, t.corners.vertex[0]));
-  const V3<F> sum = {n[0].x + n[1].x + n[2].x, n[0].y + n[1].y + n[2].y, n[0].z + n[1].z + n[2].z};
-  const auto sign = (bits_of(dot(face, viewer)) ^ bits_of(dot(face, sum))) &
-                    Integer<F>(static_cast<std::int32_t>(0x80000000));
+  V3<F> p[3];
+  for (int k = 0; k < 3; ++k) p[k] = world_position<F>(job, t.corners.vertex[k]);
+  const auto mean = [](const V3<F>* of) {
+    const F third(1.0f / 3.0f);
+    return V3<F>{(of[0].x + of[1].x + of[2].x) * third, (of[0].y + of[1].y + of[2].y) * third,
+                 (of[0].z + of[1].z + of[2].z) * third};
+  };
+  const auto sign =
+      bits_of(dot(mean(n), viewer_from(job, mean(p)))) & Integer<F>(static_cast<std::int32_t>(0x80000000));
   const auto turn = [&](F v) { return float_of_bits(bits_of(v) ^ sign); };
   for (int k = 0; k < 3; ++k) n[k] = {turn(n[k].x), turn(n[k].y), turn(n[k].z)};
   return t;
@@ -88,7 +92,8 @@ __attribute__((noinline)) void light_directly(const ShadeJob& job, const LitTria
   const Surface& s = job.draw->surface;
   Weights<P> w = weights_at(t.corners, at.x, y);
   // Their common factor may be negative.
-  const auto sign = bits_of((w.of[0] + w.of[1]) + w.of[2]) & Integer<P>(static_cast<std::int32_t>(0x80000000));
+  const auto sign =
+      bits_of((w.of[0] + w.of[1]) + w.of[2]) & Integer<P>(static_cast<std::int32_t>(0x80000000));
   for (P& weight : w.of) weight = float_of_bits(bits_of(weight) ^ sign);
   LampTerms<P> terms;
   light_lamps(job, t, w, at, terms);
@@ -153,10 +158,11 @@ __attribute__((noinline)) void light_nodes(const ShadeJob& job, const LitTriangl
   }
 }
 
-/// The colour of pixels. `interpolate(sum)` adds the lamps; where `direct` holds, they are lit one by one instead.
+/// The colour of pixels. `interpolate(sum)` adds the lamps; where `direct` holds, they are lit one by one
+/// instead.
 template <class F, class P, class Y, class M, class Interpolate>
-BLYSK_INLINE Rgb<P> finish(const ShadeJob& job, const LitTriangle<F>& t, M direct, const ScreenPoint<P>& at, Y y,
-                           Interpolate interpolate) {
+BLYSK_INLINE Rgb<P> finish(const ShadeJob& job, const LitTriangle<F>& t, M direct, const ScreenPoint<P>& at,
+                           Y y, Interpolate interpolate) {
   Intensity<P> sum;
   if (__builtin_expect(all(direct), 0)) {
     light_directly(job, t, at, y, sum);

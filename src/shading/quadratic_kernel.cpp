@@ -1,10 +1,10 @@
-// Shading with a second-order surface: the three corners and the middles of the edges are lit, a quadratic surface
-// is laid through the six values of N.L and of cos^n of every lamp.
+// Shading with a second-order surface: the three corners and the middles of the edges are lit, a quadratic
+// surface is laid through the six values of N.L and of cos^n of every lamp.
 //
-// Based on: the shading thesis, chapter 2.1, section 4 of its specification. Differs in: the surface is written in
-// the triangle's own coordinates s and v (shading/row.h), in which slender triangles lose no digits; a row is
-// P0 + v (P1 + v P2); samples are what Phong shading shows at their points, perspective and near lamps included; a
-// triangle of fewer pixels than samples is lit pixel by pixel.
+// Based on: the shading thesis, chapter 2.1, section 4 of its specification. Differs in: the surface is
+// written in the triangle's own coordinates s and v (shading/row.h), in which slender triangles lose no
+// digits; a row is P0 + v (P1 + v P2); samples are what Phong shading shows at their points, perspective and
+// near lamps included; a triangle of fewer pixels than samples is lit pixel by pixel.
 #include "shading/lit_triangle.h"
 #include "shading/shade_tile.h"
 #include "simd/kernels.h"

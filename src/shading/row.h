@@ -1,8 +1,9 @@
 // shading/row.h - a triangle's rows: where each begins and ends, never where a tile cuts it.
 //
-// A row starts on the long edge, from the top corner to the bottom one. A point of the triangle is s of the way
-// down that edge and v of the way over to the middle corner: both lie in 0..1 and are linear in x and y, however
-// slender the triangle is. Specification of the shading thesis, sections 0.3 and 4.2 (u = s - bend * v).
+// A row starts on the long edge, from the top corner to the bottom one. A point of the triangle is s of the
+// way down that edge and v of the way over to the middle corner: both lie in 0..1 and are linear in x and y,
+// however slender the triangle is. Specification of the shading thesis, sections 0.3 and 4.2 (u = s - bend *
+// v).
 #pragma once
 
 #include "shading/corners.h"
@@ -58,12 +59,12 @@ BLYSK_INLINE void sort_corners(Corners<F>& c) {
 /// What the rows of a triangle have in common.
 template <class F>
 struct RowFrame {
-  F x[3], y[3];     ///< top, bottom, middle
-  F area;           ///< twice, in subpixels; positive if the middle corner lies to the right of the long edge
+  F x[3], y[3];  ///< top, bottom, middle
+  F area;        ///< twice, in subpixels; positive if the middle corner lies to the right of the long edge
   F inverse_height;
-  F slope;          ///< of the long edge, x over y
-  F bend;           ///< s at the middle corner's height
-  F over;           ///< v gained a subpixel to the right
+  F slope;  ///< of the long edge, x over y
+  F bend;   ///< s at the middle corner's height
+  F over;   ///< v gained a subpixel to the right
 };
 
 /// Of sorted corners. Triangles with unplaced corners have none: their values mean nothing.
@@ -108,8 +109,8 @@ struct RowEnds {
   Integer<F> first, last;
 };
 
-/// The first column whose centre is not left of the edge from (ax, ay) down to (bx, by). An edge that begins a
-/// row owns its points, one that ends a row does not: the top-left rule.
+/// The first column whose centre is not left of the edge from (ax, ay) down to (bx, by). An edge that begins
+/// a row owns its points, one that ends a row does not: the top-left rule.
 template <class F>
 BLYSK_INLINE Integer<F> first_column(F ax, F ay, F bx, F by, F y) {
   using I = Integer<F>;
@@ -131,7 +132,9 @@ BLYSK_INLINE Integer<F> first_column(F ax, F ay, F bx, F by, F y) {
 template <class F>
 BLYSK_INLINE RowEnds<F> row_ends(const RowFrame<F>& f, F y) {
   const auto upper = y < f.y[2];
-  const auto at = [&](const F v[3], int if_upper, int if_lower) { return select(upper, v[if_upper], v[if_lower]); };
+  const auto at = [&](const F v[3], int if_upper, int if_lower) {
+    return select(upper, v[if_upper], v[if_lower]);
+  };
   const Integer<F> long_edge = first_column(f.x[0], f.y[0], f.x[1], f.y[1], y);
   const Integer<F> short_edge = first_column(at(f.x, 0, 2), at(f.y, 0, 2), at(f.x, 2, 1), at(f.y, 2, 1), y);
   const auto rightwards = f.area > F(0.0f);

@@ -1,5 +1,5 @@
-// Rows of a triangle against the pixels that exact arithmetic gives it. The kernels' header is compiled here for the
-// plain processor.
+// Rows of a triangle against the pixels that exact arithmetic gives it. The kernels' header is compiled here
+// for the plain processor.
 #define BLYSK_ISA isa_test
 #include "shading/row.h"
 
@@ -33,8 +33,8 @@ isa_test::RowFrame<float> frame_of(const Outline& o) {
   return isa_test::row_frame(c);
 }
 
-// The columns of a row that the triangle covers, by trying them; last < first: none. Only near a first guess, as rows
-// of large triangles are long.
+// The columns of a row that the triangle covers, by trying them; last < first: none. Only near a first guess,
+// as rows of large triangles are long.
 struct Ends {
   int first, last;
 };
@@ -51,7 +51,8 @@ Ends exact_ends(const Outline& o, int row) {
     high = std::max(high, x);
   }
   if (low > high) return {0, -1};
-  int first = static_cast<int>(std::floor(low / 256)) - 2, last = static_cast<int>(std::floor(high / 256)) + 2;
+  int first = static_cast<int>(std::floor(low / 256)) - 2,
+      last = static_cast<int>(std::floor(high / 256)) + 2;
   while (first <= last && !reference::covers(t, first, row)) ++first;
   while (first <= last && !reference::covers(t, last, row)) --last;
   return {first, last};
@@ -63,15 +64,18 @@ Outline random_outline(Random& random) {
   const std::int64_t grid = std::int64_t{1} << whole(random, 0, 8);  // through centres and corners of pixels
   for (int k = 0; k < 3; ++k) {
     const auto on_grid = [&](std::int64_t v) {
-      return static_cast<std::int32_t>(std::clamp<std::int64_t>(v / grid * grid + (grid == 256 ? 128 : 0), -kGuardBand, kGuardBand));
+      return static_cast<std::int32_t>(
+          std::clamp<std::int64_t>(v / grid * grid + (grid == 256 ? 128 : 0), -kGuardBand, kGuardBand));
     };
     o.x[k] = on_grid(whole(random, -reach, reach));
     o.y[k] = on_grid(whole(random, -reach, reach));
   }
   if (whole(random, 0, 3) == 0) {  // a sliver
     const double t = uniform(random, 0, 1);
-    o.x[2] = static_cast<std::int32_t>(o.x[0] + t * (o.x[1] - o.x[0])) + static_cast<std::int32_t>(whole(random, -2, 2));
-    o.y[2] = static_cast<std::int32_t>(o.y[0] + t * (o.y[1] - o.y[0])) + static_cast<std::int32_t>(whole(random, -2, 2));
+    o.x[2] = static_cast<std::int32_t>(o.x[0] + t * (o.x[1] - o.x[0])) +
+             static_cast<std::int32_t>(whole(random, -2, 2));
+    o.y[2] = static_cast<std::int32_t>(o.y[0] + t * (o.y[1] - o.y[0])) +
+             static_cast<std::int32_t>(whole(random, -2, 2));
   }
   return o;
 }
@@ -91,7 +95,8 @@ TEST(row, ends_are_exact) {
       if (expected.last < expected.first) continue;
       ++rows;
       levels += frame.y[0] == frame.y[2] || frame.y[1] == frame.y[2] ? 1 : 0;
-      slivers += std::abs(area) < 65536 && bottom - top > 65536 ? 1 : 0;
+      const bool sliver = std::abs(area) < 128 * std::int64_t{bottom - top} && bottom - top > 4096;
+      slivers += sliver ? 1 : 0;
       const auto ends = isa_test::row_ends(frame, static_cast<float>(row * 256 + 128));
       ASSERT_EQ(ends.first, expected.first) << i << ", row " << row;
       ASSERT_EQ(ends.last, expected.last) << i << ", row " << row;
