@@ -27,6 +27,9 @@ void scenes(benchmark::internal::Benchmark* b) {
 BENCHMARK_CAPTURE(shade, phong, "phong")->Apply(scenes);
 BENCHMARK_CAPTURE(shade, gouraud, "gouraud")->Apply(scenes);
 BENCHMARK_CAPTURE(shade, flat, "flat")->Apply(scenes);
+BENCHMARK_CAPTURE(shade, gouraud_constant, "gouraud-constant")->Apply(scenes);
+BENCHMARK_CAPTURE(shade, quadratic, "quadratic")->Apply(scenes);
+BENCHMARK_CAPTURE(shade, cubic, "cubic")->Apply(scenes);
 
 }  // namespace
 }  // namespace blysk::bench

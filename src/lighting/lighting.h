@@ -33,49 +33,103 @@ struct Intensity {
   Rgb<F> specular;  ///< specular light times ks, and emission
 };
 
-/// Lights a point. `n` and `v` (to the viewer) need not be unit, but not zero; `where()` gives the point and
-/// is called for point lights only. The side that faces the viewer is the one that is lit.
+/// A point's normal and direction to the viewer, of any length but zero, and what makes cosines of their dot
+/// products.
+template <class F>
+struct Stance {
+  V3<F> n, v;
+  F rn, rv;                     ///< 1 / |n|, 1 / |v|
+  decltype(bits_of(F())) side;  ///< the sign bit, where the other side of the surface is lit
+  F n_to_v;                     ///< |n| N.V of the side that is lit
+};
+
+/// With rn, one over the length of n, from wherever the method has it.
+template <class F>
+BLYSK_INLINE Stance<F> take_stance(const V3<F>& n, F rn, const V3<F>& v, decltype(bits_of(F())) side) {
+  Stance<F> p{n, v, rn, reciprocal_root(dot(v, v)), side, {}};
+  p.n_to_v = float_of_bits(bits_of(dot(n, v)) ^ side) * p.rv;
+  return p;
+}
+
+template <class F>
+BLYSK_INLINE Stance<F> take_stance(const V3<F>& n, const V3<F>& v, decltype(bits_of(F())) side) {
+  return take_stance(n, reciprocal_root(dot(n, n)), v, side);
+}
+
+/// The sign bit where v sees the back of n.
+template <class F>
+BLYSK_INLINE auto side_seen(const V3<F>& n, const V3<F>& v) {
+  return bits_of(dot(n, v)) & decltype(bits_of(F()))(static_cast<std::int32_t>(0x80000000));
+}
+
+/// How a lamp stands to a point.
+template <class F>
+struct LampAngles {
+  F cos_l;   ///< N.L, signed
+  F square;  ///< of N.H or R.V, 0 where that is negative
+};
+
+/// `where()` gives the point and is called for point lights only.
 template <class F, class Where>
-BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3<F>& v, Where where) {
-  const F rn = reciprocal_root(dot(n, n));
-  const F rv = reciprocal_root(dot(v, v));
-  const F n_v = dot(n, v);
-  const auto side = bits_of(n_v) & decltype(bits_of(n_v))(static_cast<std::int32_t>(0x80000000));
-  const F n_to_v = float_of_bits(bits_of(n_v) ^ side) * rv;  // |n| cos(n, v)
+BLYSK_INLINE LampAngles<F> lamp_angles(const Surface& s, const Lamp& lamp, const Stance<F>& p, Where where) {
+  V3<F> l = {F(lamp.vector[0]), F(lamp.vector[1]), F(lamp.vector[2])};
+  if (lamp.point) {
+    const V3<F> at = where();
+    l = {l.x - at.x, l.y - at.y, l.z - at.z};
+    const F rl = reciprocal_root(max(dot(l, l), F(1e-30f)));
+    l = {l.x * rl, l.y * rl, l.z * rl};
+  }
+  const F n_to_l = float_of_bits(bits_of(dot(p.n, l)) ^ p.side);  // |n| N.L
+  LampAngles<F> a{n_to_l * p.rn, F(0.0f)};
+  if (s.model == LightingModel::lambert) return a;
 
-  Intensity<F> sum = {{F(s.ambient[0]), F(s.ambient[1]), F(s.ambient[2])},
-                      {F(s.emission[0]), F(s.emission[1]), F(s.emission[2])}};
+  const F l_v = dot(p.v, l) * p.rv;
+  // The square of the cosine is what a division gives at once, without the root of |L + V|: for unit L and
+  // V |L + V|^2 = 2 + 2 L.V. The length of n comes last: the division need not wait for its root.
+  if (s.model == LightingModel::blinn) {
+    const F n_to_h = max(n_to_l + p.n_to_v, F(0.0f));
+    a.square = n_to_h * n_to_h / max(F(2.0f) + F(2.0f) * l_v, F(1e-12f)) * (p.rn * p.rn);
+  } else {
+    const F r_v = max(F(2.0f) * n_to_l * p.n_to_v * (p.rn * p.rn) - l_v, F(0.0f));
+    a.square = r_v * r_v;
+  }
+  return a;
+}
+
+/// Before any lamp.
+template <class F>
+BLYSK_INLINE Intensity<F> own_intensity(const Surface& s) {
+  return {{F(s.ambient[0]), F(s.ambient[1]), F(s.ambient[2])},
+          {F(s.emission[0]), F(s.emission[1]), F(s.emission[2])}};
+}
+
+template <class F>
+BLYSK_INLINE Rgb<F> plus_scaled(const Rgb<F>& sum, const float color[3], F by) {
+  return {sum.x + F(color[0]) * by, sum.y + F(color[1]) * by, sum.z + F(color[2]) * by};
+}
+
+/// Lights a point. `n` and `v` (to the viewer) need not be unit, but not zero; rn is one over the length of
+/// n. Where that is an approximation (kNearly) cosines may pass 1, and the lobe is kept in its range.
+/// `where()` gives the point and is called for point lights only. The side that faces the viewer is the one
+/// that is lit.
+template <bool kNearly, class F, class Where>
+BLYSK_INLINE Intensity<F> light_scaled(const Surface& s, const V3<F>& n, F rn, const V3<F>& v, Where where) {
+  const Stance<F> stance = take_stance(n, rn, v, side_seen(n, v));
+  Intensity<F> sum = own_intensity<F>(s);
   for (int i = 0; i < s.lamps; ++i) {
-    const Lamp& lamp = s.lamp[i];
-    V3<F> l = {F(lamp.vector[0]), F(lamp.vector[1]), F(lamp.vector[2])};
-    if (lamp.point) {
-      const V3<F> p = where();
-      l = {l.x - p.x, l.y - p.y, l.z - p.z};
-      const F rl = reciprocal_root(max(dot(l, l), F(1e-30f)));
-      l = {l.x * rl, l.y * rl, l.z * rl};
-    }
-    const F n_to_l = float_of_bits(bits_of(dot(n, l)) ^ side);  // |n| cos(n, l)
-    const F d = max(n_to_l, F(0.0f)) * rn;
-    sum.diffuse = {sum.diffuse.x + F(lamp.diffuse[0]) * d, sum.diffuse.y + F(lamp.diffuse[1]) * d,
-                   sum.diffuse.z + F(lamp.diffuse[2]) * d};
+    const LampAngles<F> a = lamp_angles(s, s.lamp[i], stance, where);
+    sum.diffuse = plus_scaled(sum.diffuse, s.lamp[i].diffuse, max(a.cos_l, F(0.0f)));
     if (s.model == LightingModel::lambert) continue;
-
-    const F l_v = dot(v, l) * rv;
-    // The square of the cosine is what a division gives at once, without the root of |L + V|: for unit L and
-    // V |L + V|^2 = 2 + 2 L.V. The root of |n| comes last: the division need not wait for it.
-    F square;
-    if (s.model == LightingModel::blinn) {
-      const F n_to_h = max(n_to_l + n_to_v, F(0.0f));
-      square = n_to_h * n_to_h / max(F(2.0f) + F(2.0f) * l_v, F(1e-12f)) * (rn * rn);
-    } else {
-      const F r_v = max(F(2.0f) * n_to_l * n_to_v * (rn * rn) - l_v, F(0.0f));
-      square = r_v * r_v;
-    }
-    const F lobe = select(n_to_l > F(0.0f), specular_lobe(square, s), F(0.0f));
-    sum.specular = {sum.specular.x + F(lamp.specular[0]) * lobe, sum.specular.y + F(lamp.specular[1]) * lobe,
-                    sum.specular.z + F(lamp.specular[2]) * lobe};
+    const F square = kNearly ? min(a.square, F(1.0f)) : a.square;
+    const F lobe = select(a.cos_l > F(0.0f), specular_lobe(square, s), F(0.0f));
+    sum.specular = plus_scaled(sum.specular, s.lamp[i].specular, lobe);
   }
   return sum;
+}
+
+template <class F, class Where>
+BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3<F>& v, Where where) {
+  return light_scaled<false>(s, n, reciprocal_root(dot(n, n)), v, where);
 }
 
 }  // namespace blysk::BLYSK_ISA

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <numeric>
 
+#include "blysk/methods.h"
 #include "blysk/shapes.h"
 #include "render/testing.h"
 
@@ -85,6 +86,14 @@ Scene instances_of(const char* text) {
   return all;
 }
 
+std::vector<std::string> shadings() {
+  std::vector<std::string> names;
+  for (const Method& m : methods()) {
+    if (m.kind == MethodKind::shading) names.emplace_back(m.name);
+  }
+  return names;
+}
+
 std::vector<Case> cases() {
   std::vector<Case> all;
   const auto add = [&](const char* name, Scene scene, RenderOptions options) -> RenderOptions& {
@@ -153,6 +162,19 @@ std::vector<Case> cases() {
       const auto kind = i % 3 == 0 ? Light::Kind::point : Light::Kind::directional;
       o.lights.push_back(lamp_at(kind, {2.0 - 0.3 * i, 1 + 0.1 * i, 3.0 - i * 0.1}, {0.05f, 0.08f, 0.06f}));
     }
+  }
+  // Every method from close by, where triangles are clipped, with colours; and from afar, without normals.
+  for (const std::string& shading : shadings()) {
+    RenderOptions& close = add((shading + ", clipped").c_str(), shape_scene("triangles?count=300&size=1"), sized(200, 200));
+    close.shading = shading;
+    close.camera = camera_at({0.1, 0.2, 0.3}, {1, 0, 0}, 110);
+    RenderOptions& far = add((shading + ", instances").c_str(), instances_of("teapot?detail=4"), sized(333, 217));
+    far.shading = shading;
+    far.camera = camera_at({0.5, 1.5, 6}, {0, 0, 0}, 50);
+    far.lights = {lamp_at(Light::Kind::directional, {1, 2, 1}, {0.7f, 0.7f, 0.5f}), lamp_at(Light::Kind::point, {0, 1, 2}, {0.4f, 0.4f, 0.9f})};
+    RenderOptions& bare = add((shading + ", without normals").c_str(), instances_of("cube?detail=2"), sized(129, 65));
+    for (Mesh& mesh : all.back().scene.meshes) mesh.normals.clear();
+    bare.shading = shading;
   }
   add("one pixel", shape_scene("sphere"), sized(1, 1));
   add("one column", shape_scene("sphere"), sized(1, 301));
@@ -224,7 +246,7 @@ TEST(determinism, order_of_triangles_does_not_show) {
   for (const char* text : {"sphere?detail=20", "teapot?detail=6", "trefoil?detail=500",
                            "triangles?count=2000&size=0.2", "terrain?detail=150"}) {
     const Scene scene = shape_scene(text), other = shuffled(scene, random);
-    for (const char* shading : {"phong", "gouraud", "flat"}) {
+    for (const std::string& shading : shadings()) {
       SCOPED_TRACE(std::string(text) + ", " + shading);
       RenderOptions o = sized(233, 170);
       o.shading = shading;
@@ -256,7 +278,7 @@ TEST(determinism, place_on_the_canvas_does_not_show) {
   for (const char* text :
        {"sphere?detail=12", "teapot?detail=12", "trefoil?detail=900", "triangles?count=2000&size=0.2"}) {
     const Scene scene = snapped_shape(text, 90);
-    for (const char* shading : {"phong", "gouraud", "flat"}) {
+    for (const std::string& shading : shadings()) {
       RenderOptions o = sized(kSmall, kSmall);
       o.shading = shading;
       o.lights = {lamp_at(Light::Kind::directional, {1, 2, 3}, {1, 1, 1})};

@@ -14,6 +14,18 @@ constexpr Method kMethods[] = {
      "phong", "", "within 1/255 of phong while triangle side (rad) * sqrt(shininess) <= 0.154"},
     {MethodKind::shading, "flat", "One normal and colour a triangle", "Bouknight 1970; thesis 3.1", "phong",
      "", "everywhere"},
+    {MethodKind::shading, "gouraud-constant",
+     "Corners lit, colours interpolated with one increment a triangle", "Gouraud paper, B.1, B.2", "gouraud",
+     "1.7 times as fast as an increment for each row",
+     "as gouraud; linear on the screen, without perspective"},
+    {MethodKind::shading, "quadratic", "Second-order surface through the light of six points",
+     "thesis 2.1, (2.2), (2.9)", "phong", "NMSE <= 0.00019; additions alone per pixel",
+     "within 1/255 of phong while triangle side (rad) * sqrt(shininess) <= 0.66; triangles under six pixels "
+     "are lit pixel by pixel"},
+    {MethodKind::shading, "cubic", "Cubic polynomial through the light of four points of a row",
+     "thesis 2.2; 5.2 of the specification", "phong", "NMSE <= 0.00015; three additions per pixel",
+     "within 1/255 of phong while row (rad) * sqrt(shininess) <= 1.05; rows under five pixels "
+     "are lit pixel by pixel"},
     {MethodKind::lighting, "blinn", "Specular term by N.H", "Blinn 1977; thesis 2.1", "", "",
      "L + V not zero"},
     {MethodKind::lighting, "phong", "Specular term by R.V", "Phong 1975; thesis (2.1)", "", "", "everywhere"},

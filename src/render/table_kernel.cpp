@@ -6,7 +6,13 @@ namespace blysk::BLYSK_ISA {
 
 namespace {
 constexpr ShadingKernel kShadings[] = {
-    {"phong", shade_phong}, {"gouraud", shade_gouraud}, {"flat", shade_flat}};
+    {"phong", shade_phong},
+    {"gouraud", shade_gouraud},
+    {"flat", shade_flat},
+    {"gouraud-constant", shade_gouraud_constant},
+    {"quadratic", shade_quadratic},
+    {"cubic", shade_cubic},
+};
 }
 
 extern const Kernels table;

@@ -52,10 +52,12 @@ BLYSK_INLINE V3<F> times(const float* m, int stride, const V3<F>& v) {
 /// Corners on the screen, homogeneous: a pixel at (x, y) is x[k] - w[k] * x away.
 template <class F>
 struct Corners {
-  Integer<F> vertex[3];  ///< of the mesh
-  F x[3], y[3], w[3];    ///< subpixels; w is 1 unless the triangle was clipped
-  F q[3];                ///< weight of a corner's attributes: 1 / w where perspective counts, else 1
-  bool clipped;          ///< any w is not 1
+  Integer<F> vertex[3];          ///< of the mesh
+  F x[3], y[3], w[3];            ///< subpixels; w is 1 unless the triangle was clipped
+  F q[3];                        ///< weight of a corner's attributes: 1 / w where perspective counts, else 1
+  F nearness[3];                 ///< of placed corners
+  bool clipped;                  ///< any w is not 1
+  decltype(F() < F()) unplaced;  ///< has an unplaced corner: only pieces of it, clipped, are drawn
 };
 
 /// Triangles with unplaced corners keep their homogeneous coordinates: the same weights hold for every
@@ -64,9 +66,7 @@ struct Corners {
 template <class F>
 __attribute__((noinline)) void unplace(const ShadeJob& job, Corners<F>& c) {
   const Projection& m = job.draw->projection;
-  const auto m0 = c.x[0], m1 = c.x[1], m2 = c.x[2];
-  const F mark(static_cast<float>(kUnplaced));
-  const auto clipped = (m0 == mark) | (m1 == mark) | (m2 == mark);
+  const auto clipped = c.unplaced;
   for (int k = 0; k < 3; ++k) {
     const V3<F> p = fetch3<F>(job.draw->positions, c.vertex[k]);
     const auto row = [&](int i) {
@@ -94,10 +94,12 @@ BLYSK_INLINE Corners<F> fetch_corners(const ShadeJob& job, Integer<F> triangle) 
     c.y[k] = to_float(bits_of(vertex[1]));
     c.w[k] = F(1.0f);
     c.q[k] = job.screen_linear ? F(1.0f) : vertex[3];
+    c.nearness[k] = vertex[2];
   }
   c.clipped = false;
   const F mark(static_cast<float>(kUnplaced));
-  if (__builtin_expect(any((c.x[0] == mark) | (c.x[1] == mark) | (c.x[2] == mark)), 0)) unplace(job, c);
+  c.unplaced = (c.x[0] == mark) | (c.x[1] == mark) | (c.x[2] == mark);
+  if (__builtin_expect(any(c.unplaced), 0)) unplace(job, c);
   return c;
 }
 
@@ -159,6 +161,14 @@ BLYSK_INLINE V3<F> face_normal(const ShadeJob& job, const Corners<F>& t) {
   return job.draw->moved ? times(job.draw->normal_matrix, 3, n) : n;
 }
 
+/// A normal that vanishes between opposite ones faces the viewer.
+template <class P>
+BLYSK_INLINE V3<P> or_viewer(const V3<P>& n, const V3<P>& viewer) {
+  const auto gone = dot(n, n) < P(1e-20f);
+  if (__builtin_expect(!any(gone), 1)) return n;
+  return {select(gone, viewer.x, n.x), select(gone, viewer.y, n.y), select(gone, viewer.z, n.z)};
+}
+
 /// Towards the viewer, not unit.
 template <class P, class Y>
 BLYSK_INLINE V3<P> viewer_at(const ShadeJob& job, P x, Y y) {
@@ -177,6 +187,17 @@ BLYSK_INLINE V3<P> point_at(const ShadeJob& job, P x, Y y, P nearness, const V3<
                              : P(r.depth_a) / (P(1.0f) + P(r.depth_b) * nearness);
   const auto from = [&](int i) { return P(Y(r.origin[i]) + y * Y(r.origin_y[i])) + x * P(r.origin_x[i]); };
   return {from(0) - d * viewer.x, from(1) - d * viewer.y, from(2) - d * viewer.z};
+}
+
+/// Where `m` holds `yes`, else `no`; `m` of one triangle or of its sixteen.
+template <class P>
+BLYSK_INLINE Rgb<P> choose(bool m, const Rgb<P>& yes, const Rgb<P>& no) {
+  return m ? yes : no;
+}
+template <int kRegisters>
+BLYSK_INLINE Rgb<Floats<kRegisters>> choose(Masks<kRegisters> m, const Rgb<Floats<kRegisters>>& yes,
+                                            const Rgb<Floats<kRegisters>>& no) {
+  return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
 }
 
 /// Intensities and the colours of the vertices to a colour. `w` is read only where vertices have colours.

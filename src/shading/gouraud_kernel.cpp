@@ -21,16 +21,7 @@ struct Gouraud {
   static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
     Triangle<F> t;
     t.corners = fetch_corners<F>(job, index);
-    for (int k = 0; k < 3; ++k) {
-      V3<F> n;
-      if (job.draw->normals == nullptr) {
-        n = face_normal(job, t.corners);
-      } else {
-        n = fetch3<F>(job.draw->normals, t.corners.vertex[k]);
-        if (job.draw->moved) n = times(job.draw->normal_matrix, 3, n);
-      }
-      t.intensity[k] = light_world_point(job, n, world_position<F>(job, t.corners.vertex[k]));
-    }
+    for (int k = 0; k < 3; ++k) t.intensity[k] = light_corner(job, t.corners, k);
     return t;
   }
 

@@ -33,17 +33,13 @@ struct Phong {
     return {};
   }
 
-  // World normal up to its length; a normal that vanishes between opposite ones faces the viewer.
+  // World normal up to its length.
   template <class F, class P>
   static BLYSK_INLINE V3<P> normal_at(const ShadeJob& job, const Triangle<F>& t, const Weights<P>& w,
                                       const V3<P>& viewer) {
     V3<P> n = mix(w, t.normal[0], t.normal[1], t.normal[2]);
     if (job.draw->moved && job.draw->normals != nullptr) n = times(job.draw->normal_matrix, 3, n);
-    const auto gone = dot(n, n) < P(1e-20f);
-    if (__builtin_expect(any(gone), 0)) {
-      n = {select(gone, viewer.x, n.x), select(gone, viewer.y, n.y), select(gone, viewer.z, n.z)};
-    }
-    return n;
+    return or_viewer(n, viewer);
   }
 
   template <class F, class P, class Y>

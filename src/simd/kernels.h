@@ -25,6 +25,9 @@ int rasterize_tile(const TileJob& job);
 void store_tile(const TileBuffers& tile, int width, int rows, std::uint32_t* to, std::size_t stride);
 void shade_flat(const ShadeJob& job);
 void shade_gouraud(const ShadeJob& job);
+void shade_gouraud_constant(const ShadeJob& job);
+void shade_quadratic(const ShadeJob& job);
+void shade_cubic(const ShadeJob& job);
 void shade_phong(const ShadeJob& job);
 void write_normals(const ShadeJob& job);
 }  // namespace BLYSK_ISA

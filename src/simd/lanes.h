@@ -194,6 +194,11 @@ BLYSK_INLINE void store(I32 a, std::int32_t* p) {
 }
 
 template <int kRegisters>
+BLYSK_INLINE void load_all(const float* p, Floats<kRegisters>& a) {
+  for (int i = 0; i < kRegisters; ++i) a.part[i] = hn::LoadU(FloatTag(), p + i * kPartLanes);
+}
+
+template <int kRegisters>
 BLYSK_INLINE void store_all(Floats<kRegisters> a, float* p) {
   for (int i = 0; i < kRegisters; ++i) hn::StoreU(a.part[i], FloatTag(), p + i * kPartLanes);
 }
@@ -362,6 +367,7 @@ BLYSK_INLINE bool any(Masks<kRegisters> m) {
 // Plain floats, alike in every bit.
 
 BLYSK_INLINE float select(bool m, float yes, float no) { return m ? yes : no; }
+BLYSK_INLINE std::int32_t select(bool m, std::int32_t yes, std::int32_t no) { return m ? yes : no; }
 BLYSK_INLINE float min(float a, float b) { return a < b ? a : b; }
 BLYSK_INLINE float max(float a, float b) { return a > b ? a : b; }
 BLYSK_INLINE std::int32_t min(std::int32_t a, std::int32_t b) { return a < b ? a : b; }

@@ -1,0 +1,140 @@
+// Shading with a second-order surface: the three corners and the middles of the edges are lit, a quadratic
+// surface is laid through the six values of N.L and of cos^n of every lamp.
+//
+// Based on: the shading thesis, chapter 2.1, section 4 of its specification. Differs in: the surface is
+// written in the triangle's own coordinates s and v (shading/row.h), in which slender triangles lose no
+// digits; a row is P0 + v (P1 + v P2); samples are what Phong shading shows at their points, perspective and
+// near lamps included; a triangle of fewer pixels than samples is lit pixel by pixel.
+#include "shading/lit_triangle.h"
+#include "shading/shade_tile.h"
+#include "simd/kernels.h"
+
+namespace blysk::BLYSK_ISA {
+namespace {
+
+constexpr int kSamples = 6;
+// Twice the area of kSamples pixels, in subpixels.
+constexpr float kDirectArea = 2.0f * kSamples * kSubpixels * kSubpixels;
+
+// f + s (a + c s) + v ((b + e s) + d v), where s runs down the long edge and v over to the middle corner.
+template <class F>
+struct SecondOrder {
+  F f, a, c, b, e, d;
+};
+
+// What a row leaves of it.
+template <class F>
+struct RowParabola {
+  F p0, p1;
+};
+
+// From values at top, bottom, middle, and between top-bottom, top-middle, bottom-middle.
+template <class F>
+BLYSK_INLINE SecondOrder<F> fit(const F i[kSamples], F bend) {
+  const F two(2.0f), four(4.0f);
+  SecondOrder<F> q;
+  q.f = i[0];
+  q.a = four * i[3] - (F(3.0f) * i[0] + i[1]);
+  q.c = two * (i[0] + i[1]) - four * i[3];
+  const F b = four * i[4] - (F(3.0f) * i[0] + i[2]);
+  const F d = two * (i[0] + i[2]) - four * i[4];
+  const F e = four * ((i[0] + i[5]) - (i[3] + i[4]));
+  // u, the bottom corner's weight, is s - bend v.
+  q.b = b - bend * q.a;
+  q.e = e - bend * (two * q.c);
+  q.d = d - bend * (e - bend * q.c);
+  return q;
+}
+
+template <class F>
+BLYSK_INLINE RowParabola<F> along_row(const SecondOrder<F>& q, F s) {
+  return {q.f + s * (q.a + s * q.c), q.b + s * q.e};
+}
+
+struct Quadratic {
+  template <class F>
+  struct Triangle {
+    LitTriangle<F> lit;
+    RowFrame<F> frame;
+    decltype(F() < F()) direct;
+    SecondOrder<F> cos_l[kMaxLamps], lobe[kMaxLamps];
+  };
+  template <class F>
+  struct Span {
+    RowStart<F> row;
+    RowParabola<F> cos_l[kMaxLamps], lobe[kMaxLamps];
+  };
+
+  template <class F>
+  static BLYSK_INLINE void place_nodes(const RowFrame<F>& f, Node<F> nodes[kSamples]) {
+    constexpr int kEnds[kSamples][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+    for (int i = 0; i < kSamples; ++i) {
+      const int a = kEnds[i][0], b = kEnds[i][1];
+      for (int k = 0; k < 3; ++k) {
+        nodes[i].weight[k] = F((k == a ? 0.5f : 0.0f) + (k == b ? 0.5f : 0.0f));
+      }
+      nodes[i].x = (f.x[a] + f.x[b]) * F(0.5f);
+      nodes[i].y = (f.y[a] + f.y[b]) * F(0.5f);
+    }
+  }
+
+  template <class F>
+  static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
+    Triangle<F> t;
+    t.lit = fetch_lit_triangle<F>(job, index);
+    t.frame = row_frame(t.lit.corners);
+    const F area = float_of_bits(bits_of(t.frame.area) & Integer<F>(0x7fffffff));
+    t.direct = t.lit.corners.unplaced | (area < F(kDirectArea));
+    if (all(t.direct)) return t;
+    Node<F> nodes[kSamples];
+    place_nodes(t.frame, nodes);
+    LampTerms<F> terms[kSamples];
+    light_nodes<kSamples>(job, t.lit, nodes, terms);
+    const Surface& s = job.draw->surface;
+    for (int lamp = 0; lamp < s.lamps; ++lamp) {
+      F values[kSamples];
+      for (int i = 0; i < kSamples; ++i) values[i] = terms[i].cos_l[lamp];
+      t.cos_l[lamp] = fit(values, t.frame.bend);
+      if (s.model == LightingModel::lambert) continue;
+      for (int i = 0; i < kSamples; ++i) values[i] = terms[i].lobe[lamp];
+      t.lobe[lamp] = fit(values, t.frame.bend);
+    }
+    return t;
+  }
+
+  template <class F>
+  static BLYSK_INLINE Span<F> set_up_span(const ShadeJob& job, const Triangle<F>& t, F y) {
+    Span<F> span;
+    span.row = row_start(t.frame, y);
+    const Surface& s = job.draw->surface;
+    if (all(t.direct)) return span;
+    for (int lamp = 0; lamp < s.lamps; ++lamp) {
+      span.cos_l[lamp] = along_row(t.cos_l[lamp], span.row.s);
+      if (s.model != LightingModel::lambert) span.lobe[lamp] = along_row(t.lobe[lamp], span.row.s);
+    }
+    return span;
+  }
+
+  template <class F, class P, class Y>
+  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& span, P x, Y y,
+                                   P nearness) {
+    const Surface& s = job.draw->surface;
+    return finish(job, t.lit, t.direct, ScreenPoint<P>{x, P(y), nearness}, y, [&](Intensity<P>& sum) {
+      const P v = right_of(t.frame, span.row, x) * P(t.frame.over);
+      const auto at = [&](const RowParabola<F>& row, const SecondOrder<F>& q) {
+        return P(row.p0) + v * (P(row.p1) + v * P(q.d));
+      };
+      for (int lamp = 0; lamp < s.lamps; ++lamp) {
+        const P cos_l = at(span.cos_l[lamp], t.cos_l[lamp]);
+        const P lobe = s.model == LightingModel::lambert ? P(0.0f) : at(span.lobe[lamp], t.lobe[lamp]);
+        add_lamp(s, s.lamp[lamp], cos_l, lobe, sum);
+      }
+    });
+  }
+};
+
+}  // namespace
+
+void shade_quadratic(const ShadeJob& job) { shade_draw<Quadratic, ColorSink>(job); }
+
+}  // namespace blysk::BLYSK_ISA
