@@ -50,11 +50,12 @@ struct Intensity {
   Rgb<F> specular;  ///< specular light times ks, and emission
 };
 
-/// Lights a point. `n` and `v` (to the viewer) need not be unit, but not zero; `where()` gives the point and
-/// is called for point lights only. The side that faces the viewer is the one that is lit.
-template <class F, class Where>
-BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3<F>& v, Where where) {
-  const F rn = reciprocal_root(dot(n, n));
+/// Lights a point. `n` and `v` (to the viewer) need not be unit, but not zero; rn is one over the length of
+/// n. Where that is an approximation (kNearly) cosines may pass 1, and the lobe is kept in its range.
+/// `where()` gives the point and is called for point lights only. The side that faces the viewer is the one
+/// that is lit.
+template <bool kNearly, class F, class Where>
+BLYSK_INLINE Intensity<F> light_scaled(const Surface& s, const V3<F>& n, F rn, const V3<F>& v, Where where) {
   const F rv = reciprocal_root(dot(v, v));
   const F n_v = dot(n, v);
   const auto side = bits_of(n_v) & decltype(bits_of(n_v))(static_cast<std::int32_t>(0x80000000));
@@ -89,11 +90,17 @@ BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3
       const F r_v = max(F(2.0f) * cos_l * cos_v - l_v, F(0.0f));
       square = r_v * r_v;
     }
+    if constexpr (kNearly) square = min(square, F(1.0f));
     const F lobe = select(cos_l > F(0.0f), power_lobe(square, s), F(0.0f));
     sum.specular = {sum.specular.x + F(lamp.specular[0]) * lobe, sum.specular.y + F(lamp.specular[1]) * lobe,
                     sum.specular.z + F(lamp.specular[2]) * lobe};
   }
   return sum;
+}
+
+template <class F, class Where>
+BLYSK_INLINE Intensity<F> light_point(const Surface& s, const V3<F>& n, const V3<F>& v, Where where) {
+  return light_scaled<false>(s, n, reciprocal_root(dot(n, n)), v, where);
 }
 
 }  // namespace blysk::BLYSK_ISA

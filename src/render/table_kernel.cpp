@@ -5,8 +5,14 @@
 namespace blysk::BLYSK_ISA {
 
 namespace {
-constexpr ShadingKernel kShadings[] = {
-    {"phong", shade_phong}, {"gouraud", shade_gouraud}, {"flat", shade_flat}};
+constexpr ShadingKernel kShadings[] = {{"phong", shade_phong},
+                                       {"gouraud", shade_gouraud},
+                                       {"flat", shade_flat},
+                                       {"fast-normalize", shade_fast_normalize},
+                                       {"fast-normalize-minimax", shade_fast_normalize_minimax},
+                                       {"fast-normalize-cubic", shade_fast_normalize_cubic},
+                                       {"barycentric", shade_barycentric},
+                                       {"barycentric-minimax", shade_barycentric_minimax}};
 }
 
 extern const Kernels table;
