@@ -165,14 +165,18 @@ std::vector<Case> cases() {
   }
   // Every method from close by, where triangles are clipped, with colours; and from afar, without normals.
   for (const std::string& shading : shadings()) {
-    RenderOptions& close = add((shading + ", clipped").c_str(), shape_scene("triangles?count=300&size=1"), sized(200, 200));
+    RenderOptions& close =
+        add((shading + ", clipped").c_str(), shape_scene("triangles?count=300&size=1"), sized(200, 200));
     close.shading = shading;
     close.camera = camera_at({0.1, 0.2, 0.3}, {1, 0, 0}, 110);
-    RenderOptions& far = add((shading + ", instances").c_str(), instances_of("teapot?detail=4"), sized(333, 217));
+    RenderOptions& far =
+        add((shading + ", instances").c_str(), instances_of("teapot?detail=4"), sized(333, 217));
     far.shading = shading;
     far.camera = camera_at({0.5, 1.5, 6}, {0, 0, 0}, 50);
-    far.lights = {lamp_at(Light::Kind::directional, {1, 2, 1}, {0.7f, 0.7f, 0.5f}), lamp_at(Light::Kind::point, {0, 1, 2}, {0.4f, 0.4f, 0.9f})};
-    RenderOptions& bare = add((shading + ", without normals").c_str(), instances_of("cube?detail=2"), sized(129, 65));
+    far.lights = {lamp_at(Light::Kind::directional, {1, 2, 1}, {0.7f, 0.7f, 0.5f}),
+                  lamp_at(Light::Kind::point, {0, 1, 2}, {0.4f, 0.4f, 0.9f})};
+    RenderOptions& bare =
+        add((shading + ", without normals").c_str(), instances_of("cube?detail=2"), sized(129, 65));
     for (Mesh& mesh : all.back().scene.meshes) mesh.normals.clear();
     bare.shading = shading;
   }

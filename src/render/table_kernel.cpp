@@ -12,6 +12,11 @@ constexpr ShadingKernel kShadings[] = {
     {"gouraud-constant", shade_gouraud_constant},
     {"quadratic", shade_quadratic},
     {"cubic", shade_cubic},
+    {"fast-normalize", shade_fast_normalize},
+    {"fast-normalize-minimax", shade_fast_normalize_minimax},
+    {"fast-normalize-cubic", shade_fast_normalize_cubic},
+    {"barycentric", shade_barycentric},
+    {"barycentric-minimax", shade_barycentric_minimax},
 };
 }
 

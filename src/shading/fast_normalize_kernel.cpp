@@ -1,0 +1,73 @@
+// Phong shading whose normals are made unit by a polynomial in their squared length, without root or
+// division.
+//
+// Based on: relief thesis, formula (1); specification of relief and texturing, sections 2.1 and 2.2. Differs
+// in: the normal is evaluated at every pixel instead of added up along the row (no drift, no chain), and
+// outside the polynomial's range the reciprocal root serves.
+#include "math/inverse_length.h"
+#include "shading/shade_tile.h"
+#include "shading/unit_normals.h"
+#include "simd/kernels.h"
+
+namespace blysk::BLYSK_ISA {
+namespace {
+
+template <const InverseLength& kPolynomial>
+struct FastNormalize {
+  template <class F>
+  using Triangle = UnitNormals<F>;
+  struct Span {};
+
+  template <class F>
+  static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
+    return fetch_unit_normals<F>(job, index);
+  }
+
+  template <class F, class Y>
+  static BLYSK_INLINE Span set_up_span(const ShadeJob&, const Triangle<F>&, Y) {
+    return {};
+  }
+
+  template <class P>
+  static BLYSK_INLINE P polynomial(P k) {
+    constexpr auto c = [](int i) { return static_cast<float>(kPolynomial.c[i]); };
+    const P t = kPolynomial.origin == 0 ? k : k - P(static_cast<float>(kPolynomial.origin));
+    P p = P(c(2));
+    if constexpr (kPolynomial.c[3] != 0) p = P(c(3)) * t + p;
+    return (p * t + P(c(1))) * t + P(c(0));
+  }
+
+  template <class F, class P, class Y>
+  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, P x, Y y,
+                                   P nearness) {
+    const Weights<P> w = shares_at(t, x, y);
+    const V3<P> viewer = viewer_at(job, x, y);
+    V3<P> n = mix(w, t.normal[0], t.normal[1], t.normal[2]);
+    const P k = dot(n, n);
+    P inverse = polynomial(k);
+    const auto outside =
+        (k < P(static_cast<float>(kPolynomial.lowest))) | (k > P(static_cast<float>(kLargestSquare)));
+    if (__builtin_expect(any(outside), 0)) {
+      V3<P> other = n;
+      const P exact = exact_inverse_length(other, k, viewer);
+      n = {select(outside, other.x, n.x), select(outside, other.y, n.y), select(outside, other.z, n.z)};
+      inverse = select(outside, exact, inverse);
+    }
+    const auto where = [&] { return point_at(job, x, y, nearness, viewer); };
+    return compose(job, t.corners, w, light_scaled<true>(job.draw->surface, n, inverse, viewer, where));
+  }
+};
+
+}  // namespace
+
+void shade_fast_normalize(const ShadeJob& job) {
+  shade_draw<FastNormalize<kInverseLengthPaper>, ColorSink>(job);
+}
+void shade_fast_normalize_minimax(const ShadeJob& job) {
+  shade_draw<FastNormalize<kInverseLengthMinimax>, ColorSink>(job);
+}
+void shade_fast_normalize_cubic(const ShadeJob& job) {
+  shade_draw<FastNormalize<kInverseLengthCubic>, ColorSink>(job);
+}
+
+}  // namespace blysk::BLYSK_ISA

@@ -1,0 +1,253 @@
+// The methods that interpolate normals: kernels against reference forms, and pictures against Phong shading.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "blysk/metrics.h"
+#include "blysk/shapes.h"
+#include "render/testing.h"
+#include "shading/normals_reference.h"
+
+namespace blysk {
+namespace {
+
+constexpr int kSide = 200;
+
+struct Shading {
+  const char* name;
+  const InverseLength* inverse_length;  // one of the two
+  const MidVector* mid_vector;
+};
+
+constexpr Shading kShadings[] = {{"fast-normalize", &kInverseLengthPaper, nullptr},
+                                 {"fast-normalize-minimax", &kInverseLengthMinimax, nullptr},
+                                 {"fast-normalize-cubic", &kInverseLengthCubic, nullptr},
+                                 {"barycentric", nullptr, &kMidVectorPaper},
+                                 {"barycentric-minimax", nullptr, &kMidVectorMinimax}};
+
+// Triangles over each other whose corners lie on the grid of 1/256 pixel of pixel_camera(kSide); the normals
+// of each lie in a cone of up to `spread` times 90 degrees.
+Mesh random_triangles(Random& random, int count, double size, double spread) {
+  Mesh mesh;
+  std::vector<Vec3f> positions, normals;
+  std::vector<std::uint32_t> indices;
+  const auto snapped = [&](double v) { return static_cast<float>(std::round(v * 256) / 256); };
+  for (int t = 0; t < count; ++t) {
+    const double x = uniform(random, -kSide / 2, kSide / 2), y = uniform(random, -kSide / 2, kSide / 2);
+    const Vec3d axis = random_direction(random);
+    const double cone = spread * uniform(random, 0, 1);
+    for (int k = 0; k < 3; ++k) {
+      positions.push_back({snapped(x + uniform(random, -size, size)),
+                           snapped(y + uniform(random, -size, size)),
+                           static_cast<float>(uniform(random, -0.9, 0.9))});
+      normals.push_back(to_float(normalize(axis + random_direction(random) * cone)));
+      indices.push_back(static_cast<std::uint32_t>(indices.size()));
+    }
+  }
+  mesh.positions.assign(positions.begin(), positions.end());
+  mesh.normals.assign(normals.begin(), normals.end());
+  mesh.indices.assign(indices.begin(), indices.end());
+  return mesh;
+}
+
+Vec3d reference_normal(const Shading& shading, const Mesh& mesh, std::uint32_t triangle, double x, double y) {
+  Vec2<double> corner[3];
+  Vec3d normal[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t vertex = mesh.indices[3 * std::size_t{triangle} + k];
+    corner[k] = {double{mesh.positions[vertex].x}, double{mesh.positions[vertex].y}};
+    normal[k] = to_double(mesh.normals[vertex]);
+  }
+  if (shading.inverse_length != nullptr) {
+    return reference::normalize_fast(*shading.inverse_length,
+                                     reference::linear_normals(corner, normal).at(x, y));
+  }
+  const Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Vec3d c = reference::linear_normals(corner, axes).at(x, y);
+  return reference::six_point_normal(*shading.mid_vector, normal, c.x, c.y);
+}
+
+// One white light, a normal that is not quite unit, the viewer at +z.
+double lit(Vec3d n, Vec3d light, double shininess) {
+  if (n.z < 0) n = -n;
+  const double n_l = dot(n, light);
+  if (n_l <= 0) return 0;
+  const double n_h = (n_l + n.z) / std::sqrt(2 + 2 * light.z);
+  return 0.5 * n_l + 0.4 * std::pow(std::clamp(n_h, 0.0, 1.0), shininess);
+}
+
+TEST(normal_methods, kernels_follow_the_reference_forms) {
+  Random random(31);
+  for (const double size : {6.0, 70.0}) {
+    for (const double spread : {0.2, 0.7, 1.5}) {
+      const Mesh mesh = random_triangles(random, size < 10 ? 1500 : 60, size, spread);
+      Material material;
+      material.color = {0.5f, 0.5f, 0.5f};
+      material.specular = {0.4f, 0.4f, 0.4f};
+      material.shininess = 12;
+      material.double_sided = true;
+      RenderOptions o;
+      o.width = o.height = kSide;
+      o.camera = pixel_camera(kSide);
+      o.ambient = 0;
+      o.transfer = Transfer::none;
+      o.want_id = true;
+      Light light;
+      light.vector = {2, 3, 6};
+      light.color = {1, 1, 1};
+      o.lights = {light};
+      for (const Shading& shading : kShadings) {
+        o.shading = shading.name;
+        for (const Interpolation interpolation : {Interpolation::perspective, Interpolation::screen}) {
+          SCOPED_TRACE(std::string(shading.name) + ", size " + std::to_string(size) + ", spread " +
+                       std::to_string(spread));
+          o.interpolation = interpolation;
+          const Frame frame = render_frame(scene_of(mesh, material), o);
+          double worst = 0;
+          int pixels = 0, wrong = 0;
+          for (int row = 0; row < kSide; ++row) {
+            for (int column = 0; column < kSide; ++column) {
+              const auto i = static_cast<std::size_t>(row * kSide + column);
+              if (frame.id[i] == 0) continue;
+              const Vec3d n = reference_normal(shading, mesh, frame.id[i] - 1, column + 0.5 - kSide / 2,
+                                               kSide / 2 - (row + 0.5));
+              if (std::abs(n.z) < 1e-3) continue;  // which side faces the viewer is open
+              const double expected = 255 * std::min(1.0, lit(n, normalize(light.vector), 12));
+              const double error = std::abs((frame.image.pixels[i] & 255) - expected);
+              worst = std::max(worst, error);
+              wrong += error > 0.501 ? 1 : 0;
+              ++pixels;
+            }
+          }
+          EXPECT_GT(pixels, 10000);
+          EXPECT_LE(wrong, pixels / 1000);
+          EXPECT_LT(worst, 0.6);  // a needle's coordinates have few digits
+        }
+      }
+    }
+  }
+}
+
+RenderOptions sphere_options() {
+  RenderOptions o;
+  o.width = o.height = 400;
+  Light light;
+  light.vector = {1, 2, 2};
+  light.color = {1, 1, 1};
+  o.lights = {light};
+  o.transfer = Transfer::none;
+  o.interpolation = Interpolation::screen;
+  return o;
+}
+
+// The thesis' measure: NMSE of 0.0001 and less look the same.
+TEST(normal_methods, spheres_look_like_phong) {
+  for (const float shininess : {20.0f, 100.0f}) {
+    for (const int detail : {10, 25, 50, 100}) {
+      Scene scene = std::move(*make_shape("sphere?detail=" + std::to_string(detail)));
+      Material& m = scene.materials.at(0);
+      m.color = {0.5f, 0.4f, 0.3f};
+      m.specular = {0.4f, 0.4f, 0.4f};
+      m.shininess = shininess;
+      RenderOptions o = sphere_options();
+      const Frame phong = render_frame(scene, o);
+      for (const Shading& shading : kShadings) {
+        SCOPED_TRACE(std::string(shading.name) + ", detail " + std::to_string(detail) + ", shininess " +
+                     std::to_string(shininess));
+        o.shading = shading.name;
+        const Difference d = *compare(phong.image, render_frame(scene, o).image);
+        RecordProperty(std::string(shading.name) + "-" + std::to_string(detail) + "-" +
+                           std::to_string(static_cast<int>(shininess)),
+                       std::to_string(d.nmse * 1e6));
+        // A length that is wrong by 0.3 % on flat faces dims or brightens a highlight by its power.
+        const bool exact_where_flat =
+            shading.inverse_length == &kInverseLengthCubic || shading.mid_vector == &kMidVectorMinimax;
+        EXPECT_LT(d.nmse, exact_where_flat ? 5e-5 : shininess < 50 ? 5e-4 : 2e-3);
+        EXPECT_GT(d.different_pixels, 0u);
+      }
+    }
+  }
+}
+
+bool same(const Image& a, const Image& b) {
+  return a.pixels.size() == b.pixels.size() &&
+         std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(std::uint32_t)) == 0;
+}
+
+// Spans, gathered pixels, clipped and unclipped company, faces without normals, colours.
+TEST(normal_methods, instruction_sets_and_company_do_not_show) {
+  const char* const shapes[] = {"teapot?detail=5", "terrain?detail=60", "triangles?count=400&size=1", "cube"};
+  for (const char* shape : shapes) {
+    Scene scene = std::move(*make_shape(shape));
+    if (std::strcmp(shape, "cube") == 0) scene.meshes.at(0).normals.clear();
+    // The same triangles in another order: other runs, other lanes.
+    Scene turned = scene;
+    for (Mesh& mesh : turned.meshes) {
+      for (std::size_t a = 0, b = mesh.triangles() - 1; a < b; ++a, --b) {
+        for (std::size_t k = 0; k < 3; ++k) std::swap(mesh.indices[3 * a + k], mesh.indices[3 * b + k]);
+      }
+    }
+    for (const Interpolation interpolation : {Interpolation::perspective, Interpolation::screen}) {
+      for (const double height : {0.0, 2.0}) {
+        for (const Shading& shading : kShadings) {
+          SCOPED_TRACE(std::string(shape) + ", " + shading.name);
+          RenderOptions o;
+          o.width = 231;
+          o.height = 150;
+          o.shading = shading.name;
+          o.interpolation = interpolation;
+          o.cull = Cull::none;
+          o.camera = Camera{};
+          o.camera->eye = {0.1, 0.5, 0.6};
+          o.camera->target = {0, 0, -1};
+          o.camera->fov_deg = 80;
+          o.camera->height = height;
+          const Frame expected = render_frame(scene, o, available_isas().front());
+          EXPECT_GT(expected.statistics.pixels_covered, 500u);
+          for (const Isa isa : available_isas()) {
+            EXPECT_TRUE(same(expected.image, render_frame(scene, o, isa).image)) << isa_name(isa);
+          }
+          EXPECT_TRUE(same(expected.image, render_frame(turned, o).image));
+        }
+      }
+    }
+  }
+}
+
+// Opposite normals, normals of length 0, needles: a colour like any other, and no pixel far from Phong
+// shading's side.
+TEST(normal_methods, hard_triangles) {
+  Mesh mesh = mesh_of({{-90, -90, 0}, {90, -90, 0}, {0, 90, 0}, {-90, 95, 0}, {95, -90, 0}, {95, -89.99f, 0}},
+                      {0, 1, 2, 3, 4, 5});
+  const std::vector<Vec3f> normals = {{0, 0, 1}, {0, 0, -1}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
+  mesh.normals.assign(normals.begin(), normals.end());
+  RenderOptions o;
+  o.width = o.height = kSide;
+  o.camera = pixel_camera(kSide);
+  o.transfer = Transfer::none;
+  o.want_id = true;
+  for (const Shading& shading : kShadings) {
+    for (const Interpolation interpolation : {Interpolation::perspective, Interpolation::screen}) {
+      SCOPED_TRACE(shading.name);
+      o.interpolation = interpolation;
+      o.shading = shading.name;
+      const Frame expected = render_frame(scene_of(mesh), o, available_isas().front());
+      int dark = 0, covered = 0;
+      for (std::size_t i = 0; i < expected.id.size(); ++i) {
+        if (expected.id[i] == 0) continue;
+        ++covered;
+        dark += (expected.image.pixels[i] & 255) == 0 ? 1 : 0;
+      }
+      EXPECT_GT(covered, 15000);
+      EXPECT_EQ(dark, 0);
+      for (const Isa isa : available_isas()) {
+        EXPECT_TRUE(same(expected.image, render_frame(scene_of(mesh), o, isa).image)) << isa_name(isa);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace blysk
