@@ -58,7 +58,7 @@ struct PictureOptions {
 /// Reads a PNG of any kind or a PPM (P6), "-" is standard input; the content tells which. Bytes are taken as
 /// they are, whatever the file says about gamma or colour profiles; 16 bits are rounded to 8. Broken files
 /// are ErrorCode::input; more than kMaxPictureSide a side, kMaxPixelsRead in all, or limits.max_memory is
-/// ErrorCode::limit. Memory stays in proportion to the file's size whatever it says of itself.
+/// ErrorCode::limit. What a header claims is held against the file's bytes before memory is taken.
 [[nodiscard]] Result<Image> read_picture(const std::string& path, const Limits& limits = {});
 /// The same from memory; `name` stands in messages.
 [[nodiscard]] Result<Image> read_picture(std::span<const std::byte> bytes, std::string_view name,
