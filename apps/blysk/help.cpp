@@ -101,7 +101,7 @@ std::string help(const Subcommand& subcommand) {
     text += entry(signature(*option), describe(*option));
     before = option;
   }
-  if (subcommand.user == kRender || subcommand.user == kInfo) {
+  if ((subcommand.user & (kDraw | kInfo)) != 0) {
     text += "\nBuilt-in shapes, as shape:NAME or shape:NAME?key=value&key=value\n";
     for (const ShapeInfo& shape : shapes()) text += entry(std::string(shape.name), shape_text(shape));
   }

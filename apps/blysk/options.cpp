@@ -26,6 +26,11 @@ std::vector<std::string> method_names(MethodKind kind) {
   return names;
 }
 
+std::vector<std::string> with_all(std::vector<std::string> names) {
+  names.emplace_back("all");
+  return names;
+}
+
 std::vector<std::string> isa_names() {
   std::vector<std::string> names;
   for (const Isa isa : {Isa::best, Isa::scalar, Isa::sse4, Isa::avx2, Isa::avx512, Isa::neon}) {
@@ -56,6 +61,7 @@ std::vector<Option> output_options() {
        .type = Type::size,
        .value = "WxH",
        .group = Group::output,
+       .users = kDraw,
        .low = 1,
        .high = kMaxSide,
        .initial = std::to_string(RenderOptions{}.width) + "x" + std::to_string(RenderOptions{}.height),
@@ -72,6 +78,25 @@ std::vector<Option> output_options() {
            "further pictures, written beside OUT as NAME.depth.png and so on (.pfm where OUT is .pfm, which "
            "keeps the numbers exact): depth 0 near to 1 far, world-space normals, and triangle ids counted "
            "from 1, red being their lowest byte"},
+      {.name = "difference",
+       .type = Type::path,
+       .value = "OUT",
+       .group = Group::output,
+       .users = kCompare,
+       .without = "none",
+       .example = "difference.png",
+       .help =
+           "write the error map in false colours, with a labelled colour bar: the largest difference of any "
+           "channel of each pixel, equal ones black; of several candidates one each, OUT.1.png and so on, or "
+           "OUT.METHOD.png"},
+      {.name = "report",
+       .type = Type::path,
+       .value = "OUT.html",
+       .group = Group::output,
+       .users = kCompare,
+       .without = "none",
+       .example = "report.html",
+       .help = "write one HTML page that needs nothing else: the table, the pictures, their error maps"},
   };
 }
 
@@ -258,6 +283,7 @@ std::vector<Option> method_options() {
        .type = Type::choice,
        .value = "MODEL",
        .group = Group::method,
+       .users = kDraw,
        .choices = method_names(MethodKind::lighting),
        .initial = RenderOptions{}.lighting,
        .example = RenderOptions{}.lighting,
@@ -266,6 +292,7 @@ std::vector<Option> method_options() {
        .type = Type::choice,
        .value = "NAME",
        .group = Group::method,
+       .users = kDraw,
        .choices = method_names(MethodKind::lobe),
        .initial = RenderOptions{}.lobe,
        .example = RenderOptions{}.lobe,
@@ -274,6 +301,7 @@ std::vector<Option> method_options() {
        .type = Type::choice,
        .value = "METHOD",
        .group = Group::method,
+       .users = kDraw,
        .choices = method_names(MethodKind::antialias),
        .initial = RenderOptions{}.antialias,
        .example = RenderOptions{}.antialias,
@@ -282,11 +310,30 @@ std::vector<Option> method_options() {
        .type = Type::choice,
        .value = "WAY",
        .group = Group::method,
+       .users = kDraw,
        .choices = {"perspective", "screen"},
        .initial = "perspective",
        .example = "screen",
        .help =
            "how normals and colours run across a triangle: perspective-correct, or linear in the picture"},
+      {.name = "methods",
+       .type = Type::choices,
+       .value = "LIST|all",
+       .group = Group::method,
+       .users = kCompare,
+       .choices = with_all(method_names(MethodKind::shading)),
+       .without = "pictures are compared",
+       .example = "gouraud,flat",
+       .help = "render the models with each of these shading methods and compare them with --reference"},
+      {.name = "reference",
+       .type = Type::choice,
+       .value = "METHOD",
+       .group = Group::method,
+       .users = kCompare,
+       .choices = method_names(MethodKind::shading),
+       .initial = RenderOptions{}.shading,
+       .example = RenderOptions{}.shading,
+       .help = "shading method that the others of --methods are measured against"},
   };
 }
 
@@ -316,7 +363,7 @@ std::vector<Option> work_options() {
        .type = Type::integer,
        .value = "N",
        .group = Group::work,
-       .users = kRender | kInfo | kVerify,
+       .users = kDraw | kInfo | kVerify,
        .low = 1,
        .high = 1024,
        .without = "one per processor",
@@ -326,7 +373,7 @@ std::vector<Option> work_options() {
        .type = Type::choice,
        .value = "SET",
        .group = Group::work,
-       .users = kRender | kVerify,
+       .users = kDraw | kVerify,
        .choices = isa_names(),
        .without = "the best that this processor runs; verify takes them all",
        .example = "scalar",
@@ -335,6 +382,7 @@ std::vector<Option> work_options() {
        .type = Type::integer,
        .value = "N",
        .group = Group::work,
+       .users = kDraw,
        .low = 1,
        .high = 1e6,
        .initial = "1",
@@ -344,7 +392,7 @@ std::vector<Option> work_options() {
        .type = Type::integer,
        .value = "N",
        .group = Group::work,
-       .users = kRender | kInfo,
+       .users = kDraw | kInfo,
        .low = 1,
        .high = kExact,
        .initial = std::to_string(Limits{}.max_triangles),
@@ -354,7 +402,7 @@ std::vector<Option> work_options() {
        .type = Type::bytes,
        .value = "BYTES",
        .group = Group::work,
-       .users = kRender | kInfo,
+       .users = kDraw | kInfo,
        .low = 1,
        .high = kExact,
        .initial = std::to_string(Limits{}.max_memory >> 30) + "G",
@@ -365,24 +413,45 @@ std::vector<Option> work_options() {
 
 std::vector<Option> report_options() {
   return {
+      {.name = "max-nmse",
+       .type = Type::number,
+       .value = "X",
+       .group = Group::report,
+       .users = kCompare,
+       .low = 0,
+       .high = 1e6,
+       .without = "any difference is one",
+       .example = "0.0001",
+       .help = "pictures up to this normalised mean square error count as equal; alpha is no part of it"},
+      {.name = "max-difference",
+       .type = Type::integer,
+       .value = "N",
+       .group = Group::report,
+       .users = kCompare,
+       .low = 0,
+       .high = 255,
+       .without = "any difference is one",
+       .example = "2",
+       .help =
+           "pictures of which no channel differs by more count as equal; beside --max-nmse both must hold"},
       {.name = "print",
        .group = Group::report,
        .users = kVerify,
        .help = "print the table of hashes that this build gives, for its source, and compare nothing"},
       {.name = "json",
        .group = Group::report,
-       .users = kRender | kInfo | kMethods | kVerify,
+       .users = kDraw | kInfo | kMethods | kVerify,
        .help = "make standard output one JSON document"},
       {.name = "markdown", .group = Group::report, .users = kMethods | kMan, .help = "print Markdown"},
       {.name = "quiet",
        .letter = 'q',
        .group = Group::report,
-       .users = kRender,
+       .users = kDraw,
        .help = "say nothing but errors"},
       {.name = "verbose",
        .letter = 'v',
        .group = Group::report,
-       .users = kRender,
+       .users = kDraw,
        .help = "say what was wrong in the files, where the camera stands, and what did the work"},
       {.name = "help",
        .letter = 'h',
@@ -390,6 +459,12 @@ std::vector<Option> report_options() {
        .users = ~0u,
        .help = "print what the subcommand does and its options"},
   };
+}
+
+// The same options for one more subcommand.
+std::vector<Option> also(Users user, std::vector<Option> rows) {
+  for (Option& row : rows) row.users |= user;
+  return rows;
 }
 
 std::string number_range(const Option& option) {
@@ -410,8 +485,10 @@ std::string_view group_title(Group group) {
 const std::vector<Option>& options() {
   static const std::vector<Option> all = [] {
     std::vector<Option> rows;
-    for (const auto& part : {output_options(), camera_options(), light_options(), material_options(),
-                             method_options(), picture_options(), work_options(), report_options()}) {
+    for (const auto& part :
+         {output_options(), also(kCompare, camera_options()), also(kCompare, light_options()),
+          also(kCompare, material_options()), method_options(), also(kCompare, picture_options()),
+          work_options(), report_options()}) {
       rows.insert(rows.end(), part.begin(), part.end());
     }
     return rows;
@@ -438,6 +515,23 @@ const std::vector<Subcommand>& subcommands() {
              "a part for printing, upright, without perspective"},
             {"render - -o - --format png < model.glb > model.png", "from a pipe to a pipe"},
             {"render shape:teapot -o teapot.png --repeat 9 --json", "times and the picture's hash"}}},
+      {.name = "compare",
+       .user = kCompare,
+       .run = run_compare,
+       .help = "measure how far pictures, or shading methods on a model, are from a reference",
+       .operand = "REFERENCE CANDIDATE...|MODEL...",
+       .operand_help =
+           "pictures (PNG, or PPM of type P6), the reference first; the status is 1 if one differs. With "
+           "--methods models, as for blysk render, and the status is 1 only beyond --max-nmse or "
+           "--max-difference",
+       .least = 1,
+       .most = 10000,
+       .examples = {{"compare expected.png actual.png", "status 0 if every pixel is the same, 1 if not"},
+                    {"compare expected.png actual.png --max-difference 2 --difference difference.png",
+                     "two levels are forgiven; where the pictures differ"},
+                    {"compare expected.png actual.png --json", "the same for programs"},
+                    {"compare shape:teapot --methods all --repeat 3 --report teapot.html",
+                     "errors, times and pictures of all shading methods on one page"}}},
       {.name = "info",
        .user = kInfo,
        .run = run_info,
@@ -484,7 +578,7 @@ const std::vector<Subcommand>& subcommands() {
 const std::vector<ExitStatus>& exit_statuses() {
   static const std::vector<ExitStatus> all = {
       {0, "done"},
-      {1, "pictures differ (verify)"},
+      {1, "pictures differ (compare, verify)"},
       {2, "wrong usage"},
       {3, "an input cannot be read or is not valid"},
       {4, "the output cannot be written"},

@@ -49,6 +49,8 @@ enum Users : unsigned {
   kVerify = 8,
   kMan = 16,
   kCompletion = 32,
+  kCompare = 64,
+  kDraw = kRender | kCompare,
 };
 
 struct Option {

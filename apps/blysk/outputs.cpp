@@ -18,25 +18,6 @@ Error output_error(const std::string& path, std::string message) {
 
 bool may_write(const std::filesystem::path& path) { return ::access(path.c_str(), W_OK) == 0; }
 
-// A long render must not end in a folder that was not there to begin with.
-Status check_place(const std::string& path) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  const fs::path target = fs::weakly_canonical(fs::absolute(path, ignored), ignored);  // where a link leads
-  if (target.empty()) return Done{};                                                   // writing will tell
-  const fs::path folder = target.parent_path();
-  if (fs::is_directory(target, ignored)) return output_error(path, "this is a folder; name a file in it");
-  if (!fs::is_directory(folder, ignored)) {
-    return output_error(path, "the folder " + folder.string() + " does not exist; create it first");
-  }
-  const bool there = fs::exists(target, ignored);
-  const bool replaced = !there || fs::is_regular_file(target, ignored);  // else a device or a pipe
-  if ((there && !may_write(target)) || (replaced && !may_write(folder))) {
-    return output_error(path, "no permission to write there; choose another place");
-  }
-  return Done{};
-}
-
 Result<PictureFormat> format_of(const Arguments& arguments, const std::string& path) {
   if (!arguments.has("format")) return picture_format(path);
   const std::string name = arguments.text("format");
@@ -71,6 +52,24 @@ Status write_id(const Frame& frame, const Outputs& outputs, PictureOptions optio
 }
 
 }  // namespace
+
+Status check_place(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path target = fs::weakly_canonical(fs::absolute(path, ignored), ignored);  // where a link leads
+  if (target.empty()) return Done{};                                                   // writing will tell
+  const fs::path folder = target.parent_path();
+  if (fs::is_directory(target, ignored)) return output_error(path, "this is a folder; name a file in it");
+  if (!fs::is_directory(folder, ignored)) {
+    return output_error(path, "the folder " + folder.string() + " does not exist; create it first");
+  }
+  const bool there = fs::exists(target, ignored);
+  const bool replaced = !there || fs::is_regular_file(target, ignored);  // else a device or a pipe
+  if ((there && !may_write(target)) || (replaced && !may_write(folder))) {
+    return output_error(path, "no permission to write there; choose another place");
+  }
+  return Done{};
+}
 
 Result<Outputs> outputs_of(const Arguments& arguments) {
   Outputs outputs;

@@ -18,6 +18,9 @@ struct Outputs {
   bool to_stdout() const { return path == "-"; }
 };
 
+/// ErrorCode::output where no file can be written: a long work must not end in a folder that was never there.
+[[nodiscard]] Status check_place(const std::string& path);
+
 /// From --output, --format and --aov; tells wrong usage and folders that cannot be written before any work.
 [[nodiscard]] Result<Outputs> outputs_of(const Arguments& arguments);
 

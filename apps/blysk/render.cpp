@@ -1,8 +1,6 @@
 // blysk render: models to a picture.
 #include <sys/resource.h>
 
-#include <algorithm>
-
 #include "blysk/version.h"
 #include "json.h"
 #include "outputs.h"
@@ -13,8 +11,6 @@
 
 namespace blysk::command {
 namespace {
-
-constexpr std::size_t kProblemsShown = 2;
 
 // Milliseconds of each stage.
 struct Times {
@@ -31,12 +27,6 @@ struct Told {
   const Frame& frame;
   const Times& times;
 };
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
 
 // Renders as often as --repeat says; medians of the stages.
 Status render_frames(Renderer& renderer, const Scene& scene, const RenderOptions& options, int repeat,
@@ -93,14 +83,6 @@ Json to_json(const Told& told) {
     }
   }
   return json;
-}
-
-void say_problems(const std::vector<std::string>& problems, bool all) {
-  const std::size_t shown = all ? problems.size() : std::min(problems.size(), kProblemsShown);
-  for (std::size_t i = 0; i < shown; ++i) warn(problems[i]);
-  if (shown < problems.size()) {
-    warn(counted(problems.size() - shown, "more problem") + " in the models; --verbose tells them");
-  }
 }
 
 std::string point_text(Vec3d p) { return number_text(p.x) + "," + number_text(p.y) + "," + number_text(p.z); }
@@ -174,7 +156,7 @@ Result<int> run_render(const Arguments& arguments) {
 
   const Told told = {arguments, *outputs, *scene, *options->camera, renderer, frame, times};
   if (!quiet) {
-    say_problems(scene->problems, arguments.has("verbose"));
+    warn_problems(*scene, arguments);
     if (arguments.has("verbose")) say_details(told);
     say_summary(told);
   }

@@ -4,10 +4,13 @@
 #include <charconv>
 
 #include "blysk/model.h"
+#include "terminal.h"
 #include "text.h"
 
 namespace blysk::command {
 namespace {
+
+constexpr std::size_t kProblemsShown = 2;
 
 Vec3d vec3d(const Value& value) { return {value.numbers[0], value.numbers[1], value.numbers[2]}; }
 Vec3f vec3f(const Value& value) { return to_float(vec3d(value)); }
@@ -218,6 +221,16 @@ Result<Scene> load_models(const Arguments& arguments) {
   if (arguments.text("up-axis") == "z") stand_up(scene);
   override_materials(arguments, scene);
   return scene;
+}
+
+void warn_problems(const Scene& scene, const Arguments& arguments) {
+  const std::vector<std::string>& problems = scene.problems;
+  const std::size_t shown =
+      arguments.has("verbose") ? problems.size() : std::min(problems.size(), kProblemsShown);
+  for (std::size_t i = 0; i < shown; ++i) warn(problems[i]);
+  if (shown < problems.size()) {
+    warn(counted(problems.size() - shown, "more problem") + " in the models; --verbose tells them");
+  }
 }
 
 Result<RenderOptions> render_options(const Arguments& arguments, const Scene& scene) {

@@ -21,6 +21,9 @@ namespace blysk::command {
 /// Reads all models into one scene, upright and with the material overrides.
 [[nodiscard]] Result<Scene> load_models(const Arguments& arguments);
 
+/// Warns of what was wrong in the files: the first few, with --verbose all.
+void warn_problems(const Scene& scene, const Arguments& arguments);
+
 /// Everything but the outputs wanted beside the picture.
 [[nodiscard]] Result<RenderOptions> render_options(const Arguments& arguments, const Scene& scene);
 

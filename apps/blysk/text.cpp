@@ -49,6 +49,12 @@ std::string counted(std::uint64_t value, std::string_view noun) {
   return count_text(value) + " " + std::string(noun) + (value == 1 ? "" : "s");
 }
 
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
 std::optional<double> parse_number(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

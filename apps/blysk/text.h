@@ -21,6 +21,9 @@ namespace blysk::command {
 /// "1 triangle", "2,000 triangles".
 [[nodiscard]] std::string counted(std::uint64_t value, std::string_view noun);
 
+/// Of at least one value.
+[[nodiscard]] double median(std::vector<double> values);
+
 /// The number that the whole text is; none if it is anything else, or not finite.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 [[nodiscard]] std::vector<std::string> split(std::string_view text, char separator);

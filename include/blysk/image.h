@@ -1,17 +1,21 @@
 // blysk/image.h - pictures in memory and in files.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "blysk/array.h"
+#include "blysk/limits.h"
 #include "blysk/result.h"
 
 namespace blysk {
 
-inline constexpr int kMaxPictureSide = 16384;  ///< pixels
+inline constexpr int kMaxPictureSide = 16384;                ///< pixels
+inline constexpr std::uint64_t kMaxPixelsRead = 1ull << 26;  ///< of a picture file that is read
 
 /// Eight bits a channel, RGBA, straight (not premultiplied) alpha, row 0 at the top, no padding.
 struct Image {
@@ -51,6 +55,15 @@ struct PictureOptions {
 /// "-", standard output, is PNG.
 [[nodiscard]] Result<PictureFormat> picture_format(const std::string& path);
 
+/// Reads a PNG of any kind or a PPM (P6), "-" is standard input; the content tells which. Bytes are taken as
+/// they are, whatever the file says about gamma or colour profiles; 16 bits are rounded to 8. Broken files
+/// are ErrorCode::input; more than kMaxPictureSide a side, kMaxPixelsRead in all, or limits.max_memory is
+/// ErrorCode::limit. What a header claims is held against the file's bytes before memory is taken.
+[[nodiscard]] Result<Image> read_picture(const std::string& path, const Limits& limits = {});
+/// The same from memory; `name` stands in messages.
+[[nodiscard]] Result<Image> read_picture(std::span<const std::byte> bytes, std::string_view name,
+                                         const Limits& limits = {});
+
 /// Writes to a temporary name in the same folder and renames: no half-written file is ever left, an existing
 /// one stays until the new one is whole. Devices and pipes are written directly, "-" is standard output. PPM
 /// drops alpha; PFM drops it too and stores each channel divided by 255, without decoding the transfer
@@ -63,6 +76,9 @@ struct PictureOptions {
 /// linearly between; all others are black. Three channels are a normal: -1..1 becomes 0..255.
 [[nodiscard]] Status write_picture(const FloatImage& image, const std::string& path, PictureFormat format,
                                    const PictureOptions& options = {});
+
+/// Writes any bytes the way write_picture() does: a report beside its pictures, for example.
+[[nodiscard]] Status write_file(std::string_view bytes, const std::string& path);
 
 /// Removes the temporary files of the calls of write_picture that are under way (of 16 at once), which then
 /// fail. For a handler of SIGINT or SIGTERM that ends the process: async-signal-safe.

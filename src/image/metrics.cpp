@@ -1,4 +1,4 @@
-#include "blysk/metrics.h"
+#include "image/metrics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +21,19 @@ std::string size_of(const Image& image) {
 
 }  // namespace
 
-Result<Difference> compare(const Image& reference, const Image& candidate) {
-  if (reference.width != candidate.width || reference.height != candidate.height ||
-      reference.pixels.size() != candidate.pixels.size()) {
-    return Error{.code = ErrorCode::input,
-                 .message = "the pictures differ in size: reference " + size_of(reference) + ", candidate " +
-                            size_of(candidate) + "; render both at one size",
-                 .source = {}};
+Status check_same_size(const Image& reference, const Image& candidate) {
+  if (reference.width == candidate.width && reference.height == candidate.height &&
+      reference.pixels.size() == candidate.pixels.size()) {
+    return Done{};
   }
+  return Error{.code = ErrorCode::input,
+               .message = "the pictures differ in size: reference " + size_of(reference) + ", candidate " +
+                          size_of(candidate) + "; render both at one size",
+               .source = {}};
+}
+
+Result<Difference> compare(const Image& reference, const Image& candidate) {
+  if (const Status status = check_same_size(reference, candidate); !status) return status.error();
   Difference out;
   // 3 * 255^2 times the largest picture's 2^28 pixels needs 46 bits.
   std::uint64_t squares = 0, reference_squares = 0;

@@ -204,6 +204,11 @@ Status write_picture(const FloatImage& image, const std::string& path, PictureFo
   return write_any(image, path, format, options);
 }
 
+Status write_file(std::string_view bytes, const std::string& path) {
+  const ByteSpan piece(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  return write_whole_file(path, {&piece, 1});
+}
+
 void discard_unfinished_pictures() noexcept { remove_unfinished_files(); }
 
 }  // namespace blysk

@@ -76,7 +76,7 @@ Result<FileBytes> FileBytes::open(const std::string& path, std::uint64_t max_byt
   file.number = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   struct stat status {};
   if (file.number < 0 || fstat(file.number, &status) != 0) return unreadable(path, errno);
-  if (S_ISDIR(status.st_mode)) return Error{ErrorCode::input, "is a folder, not a model file", shown(path)};
+  if (S_ISDIR(status.st_mode)) return Error{ErrorCode::input, "is a folder, not a file", shown(path)};
 
   FileBytes result;
   const auto size = static_cast<std::uint64_t>(status.st_size);

@@ -1,8 +1,9 @@
-// Gouraud shading with one increment for the whole triangle: corners are lit and coloured, colours are carried
-// down the long edge and along each row.
+// Gouraud shading with one increment for the whole triangle: corners are lit and coloured, colours are
+// carried down the long edge and along each row.
 //
-// Based on: the Gouraud paper, part B of its specification: the increment along a row is the same for all rows.
-// Differs in: a pixel is a product away from the row's start instead of a sum, so that sixteen are independent.
+// Based on: the Gouraud paper, part B of its specification: the increment along a row is the same for all
+// rows. Differs in: a pixel is a product away from the row's start instead of a sum, so that sixteen are
+// independent.
 #include "shading/corner_light.h"
 #include "shading/row.h"
 #include "shading/shade_tile.h"

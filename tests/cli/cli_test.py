@@ -13,7 +13,7 @@ import unittest
 
 from command import BLYSK, REPOSITORY, SQUARE, CommandTest, picture_hash, read_netpbm, read_png
 
-SUBCOMMANDS = ("render", "info", "methods", "verify", "man", "completion")
+SUBCOMMANDS = ("render", "compare", "info", "methods", "verify", "man", "completion")
 
 
 def manual_rows():
@@ -103,6 +103,8 @@ class Help(CommandTest):
         self.write("part.stl", "solid part\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                    "vertex 0 1 0\nendloop\nendfacet\nendsolid part\n")
         self.write("model.glb", one_triangle_glb())
+        for name in ("expected.png", "actual.png"):
+            self.render("square.obj", name=name)
         environment = {**os.environ, "HOME": self.folder, "MANPAGER": "cat",
                        "PATH": os.path.dirname(os.path.abspath(BLYSK)) + ":" + os.environ["PATH"]}
         for name in SUBCOMMANDS:
