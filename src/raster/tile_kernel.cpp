@@ -223,7 +223,7 @@ void draw_small(const TileJob& job, const SmallEntry* entries, int count, Occlus
   for (int i = 0; i < count; ++i) draw(row_setup(block, i, entries[i].id), *job.buffers, occlusion);
 }
 
-void draw_large(const TileJob& job, const LargeEntry& t, Occlusion& occlusion) {
+RowSetup set_up_large(const TileJob& job, const LargeEntry& t) {
   RowSetup s;
   const auto first = [](std::int32_t v) { return (v + kSubpixels / 2 - 1) >> kSubpixelBits; };
   const auto last = [](std::int32_t v) { return (v - kSubpixels / 2) >> kSubpixelBits; };
@@ -259,7 +259,32 @@ void draw_large(const TileJob& job, const LargeEntry& t, Occlusion& occlusion) {
   s.nearness = t.nearness[0];
   s.lowest = min(min(t.nearness[0], t.nearness[1]), t.nearness[2]);
   s.highest = max(max(t.nearness[0], t.nearness[1]), t.nearness[2]);
-  draw(s, *job.buffers, occlusion);
+  return s;
+}
+
+// Whether a triangle covers every pixel of a whole tile: no edge is negative at any corner.
+bool covers_tile(const RowSetup& s) {
+  constexpr int kLast = kTileSize - 1;
+  if (s.left != 0 || s.top != 0 || s.right != kLast || s.bottom != kLast) return false;
+  for (int k = 0; k < 3; ++k) {
+    if (s.edge[k] + kLast * (min(s.step_x[k], 0) + min(s.step_y[k], 0)) < 0) return false;
+  }
+  return true;
+}
+
+// What draw_rows() leaves of a triangle that covers a clear tile, without clearing or asking first.
+void fill_tile(const RowSetup& s, TileBuffers& tile) {
+  const F32 lane_x = to_float(shift_left<kSubpixelBits>(iota(0)));
+  const I32 id(static_cast<std::int32_t>(s.id));
+  float dy = s.y;
+  for (int y = 0; y < kTileSize; ++y, dy += static_cast<float>(kSubpixels)) {
+    const F32 row(s.nearness + dy * s.slope_y);
+    for (int x = 0; x < kTileSize; x += kLanes) {
+      const F32 along = (F32(s.x + static_cast<float>(x * kSubpixels)) + lane_x) * F32(s.slope_x);
+      store(min(max(row + along, F32(s.lowest)), F32(s.highest)), tile.nearness + y * kTileSize + x);
+      store(id, tile.id + y * kTileSize + x);
+    }
+  }
 }
 
 BLYSK_INLINE void draw_dot(TileBuffers& tile, const DotEntry& dot) {
@@ -290,15 +315,29 @@ void store_tile(const TileBuffers& tile, int width, int rows, std::uint32_t* to,
 }
 
 int rasterize_tile(const TileJob& job) {
-  clear(job);
+  bool fresh = true, filled = false;
+  const auto clear_once = [&] {
+    if (fresh) clear(job);
+    fresh = false;
+  };
   Occlusion occlusion;
   SmallEntry waiting[kLanes] = {};
   int waits = 0;
   for (int i = 0; i < job.bins_count; ++i) {
     const Bin* bins = job.bins[i];
-    for_each_entry<LargeEntry>(bins[bin_index(job.tile, Stream::large)],
-                               [&](const LargeEntry& t) { draw_large(job, t, occlusion); });
+    for_each_entry<LargeEntry>(bins[bin_index(job.tile, Stream::large)], [&](const LargeEntry& t) {
+      const RowSetup s = set_up_large(job, t);
+      if (fresh && covers_tile(s)) {
+        fill_tile(s, *job.buffers);
+        fresh = false;
+        filled = true;
+        return;
+      }
+      clear_once();
+      draw(s, *job.buffers, occlusion);
+    });
     for_each_entry<SmallEntry>(bins[bin_index(job.tile, Stream::small)], [&](const SmallEntry& t) {
+      clear_once();
       waiting[waits++] = t;
       if (waits == kLanes) {
         draw_small(job, waiting, waits, occlusion);
@@ -307,10 +346,12 @@ int rasterize_tile(const TileJob& job) {
     });
   }
   if (waits > 0) draw_small(job, waiting, waits, occlusion);
+  clear_once();
   for (int i = 0; i < job.bins_count; ++i) {
     for_each_entry<DotEntry>(job.bins[i][bin_index(job.tile, Stream::dot)],
                              [&](const DotEntry& dot) { draw_dot(*job.buffers, dot); });
   }
+  if (filled) return kTilePixels;
   const int covered = count_covered(*job.buffers);
   if (covered < kTilePixels) fill_background(job);
   return covered;
