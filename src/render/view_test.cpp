@@ -94,9 +94,9 @@ TEST(frame_camera, keeps_all_of_the_scene_in_the_picture) {
             const Framing framing = {
                 .view = view, .aspect = double(width) / height, .fov_deg = fov, .orthographic = orthographic};
             const Extent e = extent_of(scene, frame_camera(scene, framing), width, height);
-            const auto what = [&] {
-              return name + ", view " + std::to_string(static_cast<int>(view)) + ", " +
-                     std::to_string(width) + "x" + std::to_string(height) + ", fov " + std::to_string(fov) +
+            const auto what = [&, &label = name, across = width, tall = height] {
+              return label + ", view " + std::to_string(static_cast<int>(view)) + ", " +
+                     std::to_string(across) + "x" + std::to_string(tall) + ", fov " + std::to_string(fov) +
                      (orthographic ? ", orthographic" : "");
             };
             EXPECT_LE(e.fill(), 1) << what();
