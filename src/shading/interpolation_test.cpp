@@ -213,7 +213,7 @@ struct LitPicture {
 
   [[nodiscard]] Vec3d quadratic(int column, int row) const {
     if (double(std::abs(triangle.area())) < 12 * 65536.0) return directly(column, row);
-    const auto& [a, b, c] = triangle.corner;
+    const reference::Place &a = triangle.corner[0], &b = triangle.corner[1], &c = triangle.corner[2];
     const auto pixels = [&](const reference::Place& p) {
       return Vec2<double>{double(p.x - a.x) / 256, double(p.y - a.y) / 256};
     };
