@@ -21,7 +21,8 @@ Array<Vec3f> positions_of(Document d, int accessor) {
 template <class T>
 Array<Vec3f> positions_of(std::initializer_list<T> values, const std::string& extra = "") {
   Document d;
-  return positions_of(d, d.array<T>("VEC3", 3, values, extra));
+  const int accessor = d.array<T>("VEC3", 3, values, extra);  // before d is copied
+  return positions_of(d, accessor);
 }
 
 std::string error_of_positions(Document d, int accessor) {
