@@ -6,6 +6,7 @@
 
 #include "blysk/methods.h"
 #include "lighting/set_lobe.h"
+#include "math/srgb.h"
 
 namespace blysk {
 namespace {
@@ -153,6 +154,14 @@ std::uint32_t pack_background(Vec4f c) {
   return code(c.x) | code(c.y) << 8 | code(c.z) << 16 | code(c.w) << 24;
 }
 
+Vec4f linear_background(Vec4f c, Transfer transfer) {
+  const float alpha = std::clamp(c.w, 0.0f, 1.0f);
+  const auto linear = [&](float v) {
+    return alpha * (transfer == Transfer::srgb ? srgb_to_linear(v) : std::clamp(v, 0.0f, 1.0f));
+  };
+  return {linear(c.x), linear(c.y), linear(c.z), alpha};
+}
+
 }  // namespace
 
 Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& plan) {
@@ -178,6 +187,10 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
   plan.draws.clear();
   plan.vertices = plan.triangles = 0;
   plan.background = pack_background(options.background);
+  plan.linear_background = linear_background(options.background, options.transfer);
+  plan.sampling = options.antialias == "none" ? Sampling::centers : Sampling::samples;
+  plan.point_lights =
+      std::ranges::any_of(lights, [](const Light& l) { return l.kind == Light::Kind::point; });
   for (const Instance& instance : scene.instances) {
     if (scene.meshes[instance.mesh].indices.size() < 3) continue;
     DrawPlan p = plan_draw(scene, instance, plan.view);

@@ -22,6 +22,9 @@ struct FramePlan {
   std::vector<DrawPlan> draws;  ///< instances with triangles, in the scene's order
   std::size_t vertices = 0, triangles = 0;
   std::uint32_t background = 0;  ///< RGBA8
+  Vec4f linear_background;       ///< linear colour times alpha, alpha
+  Sampling sampling = Sampling::centers;
+  bool point_lights = false;
 };
 
 /// Checks the options and fills `plan` (its memory is reused).

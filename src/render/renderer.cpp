@@ -39,12 +39,28 @@ struct Chunk {
 struct Worker {
   ThreadBins bins;
   std::unique_ptr<TileBuffers> tile = std::make_unique<TileBuffers>();
+  std::unique_ptr<SampleBuffers> samples;  ///< once a frame is antialiased
   std::vector<std::uint32_t> rest;
   std::vector<float> normals;
   std::vector<std::uint8_t> seen_draws;
   bool blank = false;  ///< `tile` is clear: the last tile had nothing in it
-  std::uint64_t culled = 0, drawn = 0, covered = 0;
+  std::uint64_t culled = 0, drawn = 0, covered = 0, fragments = 0, shared_pixels = 0;
 };
+
+// Of pixels with fragments, the nearest sample stands for the pixel where one surface has to.
+void show_nearest(const SampleBuffers& samples, TileBuffers& pixels) {
+  for (int i = 0; i < samples.pixels; ++i) {
+    const int at = samples.pixel[i];
+    const float* nearness = samples.nearness + at * kSamples;
+    const std::int32_t* id = samples.id + at * kSamples;
+    int best = 0;
+    for (int s = 1; s < kSamples; ++s) {
+      if (nearness[s] > nearness[best] || (nearness[s] == nearness[best] && id[s] < id[best])) best = s;
+    }
+    pixels.nearness[at] = std::clamp(nearness[best], 0.0f, 1.0f);
+    pixels.id[at] = static_cast<std::uint32_t>(id[best]);
+  }
+}
 
 }  // namespace
 
@@ -69,6 +85,7 @@ struct Renderer::State {
   void draw_tiles(const RenderOptions& options, int tiles_x, std::size_t tiles, Frame& frame);
   void draw_tile(Worker& worker, const RenderOptions& options, int tiles_x, std::size_t tile,
                  ShadeFunction shade, Frame& frame);
+  int rasterize(Worker& worker, const TileJob& job);
   void shade_draws(Worker& worker, ShadeJob& job, ShadeFunction function);
   [[nodiscard]] std::uint64_t memory_of_vertices() const { return plan.vertices * sizeof(ScreenVertex); }
   [[nodiscard]] std::uint64_t memory() const;
@@ -98,7 +115,10 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
   for (Worker& w : workers) {
     w.bins.reset(tiles, room);
     w.rest.resize(kChunkTriangles + 16);
-    w.culled = w.drawn = w.covered = 0;
+    w.culled = w.drawn = w.covered = w.fragments = w.shared_pixels = 0;
+    if (plan.sampling == Sampling::samples && !w.samples) {
+      w.samples = std::make_unique_for_overwrite<SampleBuffers>();
+    }
     w.blank = false;  // the background may have changed
   }
   cut(&DrawPlan::triangles, kChunkTriangles);
@@ -117,6 +137,7 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
     job.height = options.height;
     job.tiles_x = tiles_x;
     job.drop = p.drop;
+    job.sampling = plan.sampling;
     job.owner = &w.bins;
     job.bins = w.bins.bins();
     job.rest = w.rest.data();
@@ -125,6 +146,12 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
     w.culled += job.culled;
     w.drawn += job.drawn;
   });
+}
+
+int Renderer::State::rasterize(Worker& worker, const TileJob& job) {
+  if (plan.sampling == Sampling::centers) return table.rasterize(job);
+  const Vec4f& b = plan.linear_background;
+  return table.rasterize_samples({job, worker.samples.get(), {b.x, b.y, b.z, b.w}, plan.point_lights});
 }
 
 // Runs `function` for every draw that has a pixel in the tile.
@@ -136,16 +163,19 @@ void Renderer::State::shade_draws(Worker& worker, ShadeJob& job, ShadeFunction f
   }
   worker.seen_draws.assign(plan.draws.size(), 0);
   std::uint32_t last = kNoTriangle;
+  const auto see = [&](std::uint32_t id) {
+    if (id == last || id >= kManySurfaces) return;
+    last = id;
+    const auto after =
+        std::upper_bound(plan.draws.begin(), plan.draws.end(), id,
+                         [](std::uint32_t v, const DrawPlan& p) { return v < p.draw.id_base; });
+    worker.seen_draws[static_cast<std::size_t>(after - plan.draws.begin()) - 1] = 1;
+  };
   for (int row = 0; row < job.height; ++row) {
-    for (int column = 0; column < job.width; ++column) {
-      const std::uint32_t id = job.buffers->id[row * kTileSize + column];
-      if (id == last || id == kNoTriangle) continue;
-      last = id;
-      const auto after =
-          std::upper_bound(plan.draws.begin(), plan.draws.end(), id,
-                           [](std::uint32_t v, const DrawPlan& p) { return v < p.draw.id_base; });
-      worker.seen_draws[static_cast<std::size_t>(after - plan.draws.begin()) - 1] = 1;
-    }
+    for (int column = 0; column < job.width; ++column) see(job.buffers->id[row * kTileSize + column]);
+  }
+  for (int i = 0; job.samples != nullptr && i < job.samples->fragments; ++i) {
+    see(static_cast<std::uint32_t>(job.samples->fragment_id[i]));
   }
   for (std::size_t d = 0; d < plan.draws.size(); ++d) {
     if (worker.seen_draws[d] == 0) continue;
@@ -174,7 +204,7 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
     const Bin* of_tile = lists + bin_index(tile, Stream::dot);
     return std::all_of(of_tile, of_tile + kStreams, [](const Bin& bin) { return bin.first == nullptr; });
   });
-  const int covered = empty && worker.blank ? 0 : table.rasterize(job);
+  const int covered = empty && worker.blank ? 0 : rasterize(worker, job);
   worker.blank = empty;
   worker.covered += static_cast<std::uint64_t>(covered);
 
@@ -183,6 +213,7 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
                    width,
                    height,
                    &buffers,
+                   plan.sampling == Sampling::samples ? worker.samples.get() : nullptr,
                    nullptr,
                    vertices.data(),
                    nullptr,
@@ -190,6 +221,13 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
                    options.interpolation == Interpolation::screen,
                    options.transfer};
   if (covered > 0) shade_draws(worker, shading, shade);
+  if (covered > 0 && shading.samples != nullptr) {
+    worker.fragments += static_cast<std::uint64_t>(shading.samples->fragments);
+    worker.shared_pixels += static_cast<std::uint64_t>(shading.samples->pixels);
+    if (shading.samples->pixels > 0) table.resolve_samples({&buffers, shading.samples, options.transfer});
+    shading.samples = nullptr;
+    if (options.want_depth || options.want_normal || options.want_id) show_nearest(*worker.samples, buffers);
+  }
   if (options.want_normal) {
     worker.normals.assign(3 * kTilePixels, 0.0f);
     shading.normals = worker.normals.data();
@@ -229,8 +267,8 @@ std::uint64_t Renderer::State::memory() const {
   std::uint64_t n = vertices.capacity() * sizeof(ScreenVertex) + chunks.capacity() * sizeof(Chunk) +
                     plan.draws.capacity() * sizeof(DrawPlan);
   for (const Worker& w : workers) {
-    n += w.bins.memory() + sizeof(TileBuffers) + w.rest.capacity() * sizeof(std::uint32_t) +
-         w.normals.capacity() * sizeof(float);
+    n += w.bins.memory() + sizeof(TileBuffers) + (w.samples ? sizeof(SampleBuffers) : 0) +
+         w.rest.capacity() * sizeof(std::uint32_t) + w.normals.capacity() * sizeof(float);
   }
   return n;
 }
@@ -272,6 +310,8 @@ Status Renderer::State::render(const Scene& scene, const RenderOptions& options,
     s.triangles_culled += w.culled;
     s.triangles_drawn += w.drawn;
     s.pixels_covered += w.covered;
+    s.fragments_shaded += w.fragments;
+    s.pixels_shared += w.shared_pixels;
   }
   s.memory_bytes = memory();
   s.geometry_ms = ms_between(start, assembled);
