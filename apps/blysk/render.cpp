@@ -65,7 +65,7 @@ Json to_json(const Told& told) {
         {"culled", statistics.triangles_culled},
         {"drawn", statistics.triangles_drawn}}},
       {"pixels", {{"covered", statistics.pixels_covered}}},
-      {"fragments", Json::object()},
+      {"fragments", {{"shaded", statistics.fragments_shaded}, {"pixels", statistics.pixels_shared}}},
       {"memory", {{"renderer", statistics.memory_bytes}, {"peak", peak_bytes()}}},
       {"ms",
        {{"load", json_ms(told.times.load)},

@@ -20,7 +20,14 @@ struct SmallBlock {
       highest[kLanes], slope_error[kLanes];
   std::int32_t left[kLanes], top[kLanes], right[kLanes], bottom[kLanes];  ///< in the tile, inclusive
   unsigned patches;  ///< bits of the triangles to be drawn in patches
+
+  BLYSK_INLINE Box box(int i) const { return {left[i], top[i], right[i], bottom[i]}; }
 };
+
+/// Where the pixels of a patch lie in SampleBuffers::open, from its first on.
+inline constexpr std::int16_t kPatchPlaces[kLanes] = {0,   1,   2,   3,   65,  66,  67,  68,
+                                                      130, 131, 132, 133, 195, 196, 197, 198};
+static_assert(SampleBuffers::place_of(kTileSize) == 65);
 
 BLYSK_INLINE void set_up_edge(const I32* x, const I32* y, int a, int b, I32 px, I32 py, SmallBlock& out,
                               int k) {
@@ -82,8 +89,9 @@ BLYSK_INLINE void set_up_small(const TileJob& job, const SmallEntry* entries, Sm
         out.slope_error);
 }
 
-/// Draws triangle `i` of a block.
-BLYSK_INLINE void draw_patches(const SmallBlock& b, int i, std::int32_t id, SampleTile& tile) {
+/// Draws triangle `i` of a block into open pixels. kCenters: of pixels that it takes wholly nearness is kept.
+template <bool kCenters>
+BLYSK_INLINE void draw_patches(const SmallBlock& b, int i, I32 id, SampleTile& tile) {
   const SampleGrid& grid = tile.grid;
   const Square square;
   const F32 column = to_float(square.column), row = to_float(square.row);
@@ -119,20 +127,19 @@ BLYSK_INLINE void draw_patches(const SmallBlock& b, int i, std::int32_t id, Samp
       const F32 across = F32(b.x[i]) + (column + F32(static_cast<float>(x - left))) * F32(kSubpixels);
       store(start + across * F32(b.slope_x[i]), center);
       const int corner = y * kTileSize + x;
-      for (unsigned left_over = to_bits(reached); left_over != 0; left_over &= left_over - 1) {
-        const int p = __builtin_ctz(left_over);
-        const int at = corner + (p >> 2) * kTileSize + (p & 3);
+      PixelSamples* const first = &tile.samples_of(corner);
+      for (unsigned rest = to_bits(reached); rest != 0; rest &= rest - 1) {
+        const int p = __builtin_ctz(rest);
         const I32 signs = bits_of(at_samples[0] + F32(edge[0][p])) |
-                          bits_of(at_samples[1] + F32(edge[1][p])) | bits_of(at_samples[2] + F32(edge[2][p]));
-        const Mask covered = signs >= I32(0);  // a sum of floats is never -0 here
-        if (__builtin_expect(!tile.is_open(at), 0)) {
-          if (!any(covered)) continue;
-          tile.open(at);
-        }
+                          bits_of(at_samples[1] + F32(edge[1][p])) |
+                          bits_of(at_samples[2] + F32(edge[2][p]));  // a sum of floats is never -0 here
         const F32 depths = min(max(slopes.depths(center[p]), lowest), highest);
-        const unsigned wins = to_bits(tile.take(at, covered, depths, id));
-        float& nearness = tile.pixels.nearness[at];
-        nearness = wins == kAllSamples ? min(max(center[p], b.lowest[i]), b.highest[i]) : nearness;
+        const Mask wins = take(first[kPatchPlaces[p]], signs < I32(0), depths, id);
+        if constexpr (kCenters) {
+          if (to_bits(wins) != kAllSamples) continue;
+          tile.pixels.nearness[corner + (p >> 2) * kTileSize + (p & 3)] =
+              min(max(center[p], b.lowest[i]), b.highest[i]);
+        }
       }
     }
   }

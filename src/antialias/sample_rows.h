@@ -20,6 +20,8 @@ struct RowSurface {
   float ceiling;                          ///< above all depths, whatever was rounded
   std::int32_t left, top, right, bottom;  ///< in the tile, inclusive
   std::int32_t id;
+
+  BLYSK_INLINE Box box() const { return {left, top, right, bottom}; }
 };
 
 BLYSK_INLINE float ceiling_of(const RowSurface& s, float slope_error) {
@@ -224,13 +226,10 @@ class RowPainter {
   }
 
   BLYSK_INLINE void draw_whole(int at, float nearness) {
-    if (!tile_.is_open(at)) tile_.open(at);
-    const Mask all = I32(0) == I32(0);
-    if (to_bits(tile_.take(at, all, slopes_.depths(nearness), s_.id)) != kAllSamples) return;
-    tile_.pixels.nearness[at] = nearness;
-    tile_.pixels.id[at] = static_cast<std::uint32_t>(s_.id);
-    tile_.samples.slope_x[at] = s_.slope_x;
-    tile_.samples.slope_y[at] = s_.slope_y;
+    if (!tile_.is_open(at)) tile_.open_one(at);
+    const Mask none = I32(0) != I32(0);
+    const Mask wins = take(tile_.samples_of(at), none, slopes_.depths(nearness), I32(s_.id));
+    if (to_bits(wins) == kAllSamples) tile_.close(at, nearness, s_.slope_x, s_.slope_y, s_.id);
   }
 
   // `column` and `row` from the first pixel.
@@ -244,10 +243,10 @@ class RowPainter {
           s_.edge[k] + (std::int64_t{row} * s_.dx[k] - std::int64_t{column} * s_.dy[k]) * kSubpixels;
       signs = signs | (at_samples_[k] + I32(static_cast<std::int32_t>(clamp(center >> 5, -kFar, kFar))));
     }
-    const Mask covered = signs >= I32(0);
-    if (!any(covered)) return;
-    if (!tile_.is_open(at)) tile_.open(at);
-    if (any(tile_.take(at, covered, in_range(slopes_.depths(plane)), s_.id))) {
+    const Mask uncovered = signs < I32(0);
+    if (to_bits(uncovered) == kAllSamples) return;
+    if (!tile_.is_open(at)) tile_.open_one(at);
+    if (any(take(tile_.samples_of(at), uncovered, in_range(slopes_.depths(plane)), I32(s_.id)))) {
       // Where the pieces of a clipped triangle come to cover all samples any of them will do.
       tile_.pixels.nearness[at] = nearness;
     }

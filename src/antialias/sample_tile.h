@@ -22,7 +22,7 @@ inline constexpr int kSamples = 16;
 /// Marks, in TileBuffers::id, a pixel whose samples may differ. Like kNoTriangle it is negative as a signed
 /// number.
 inline constexpr std::uint32_t kManySurfaces = 0xfffffffe;
-/// In SampleBuffers::id: above all ids, so that the rule for equals, lower id wins, needs no exception.
+/// In PixelSamples::id: above all ids, so that the rule for equals, lower id wins, needs no exception.
 inline constexpr std::int32_t kNoSurface = 0x7fffffff;
 /// Nearness of a sample that nothing covers: below all that rounding can make of a surface's.
 inline constexpr float kNothingNear = -4.0f;
@@ -32,6 +32,12 @@ inline constexpr float kNothingNear = -4.0f;
 inline constexpr int kFragmentSamplesShift = 2 * kTileBits, kFragmentColumnsShift = 17,
                      kFragmentRowsShift = 24;
 
+/// The samples of one pixel: two lines of a cache.
+struct PixelSamples {
+  alignas(64) float nearness[kSamples];
+  alignas(64) std::int32_t id[kSamples];
+};
+
 struct SampleBuffers {
   static constexpr int kPadding = 64;  ///< whole registers may be read and written past the last fragment
   /// A pixel has at most as many opaque fragments as samples.
@@ -40,8 +46,10 @@ struct SampleBuffers {
   // Read also where a pixel was never simple.
   alignas(64) float slope_x[kTilePixels + TileBuffers::kPadding] = {};  ///< of simple pixels, a subpixel
   alignas(64) float slope_y[kTilePixels + TileBuffers::kPadding] = {};
-  alignas(64) float nearness[kTilePixels * kSamples];  ///< of the others, sample by sample
-  alignas(64) std::int32_t id[kTilePixels * kSamples];
+  /// Of the others. Rows are one pixel longer than the tile's: else the pixels of a column would share a set
+  /// of the first-level cache.
+  PixelSamples open[kTilePixels + kTileSize];
+  static constexpr int place_of(int at) { return at + (at >> kTileBits); }
 
   // What is left for shading.
   alignas(64) std::int32_t fragment_id[kMostFragments + kPadding];
@@ -50,13 +58,17 @@ struct SampleBuffers {
   alignas(64) float sum[4 * kTilePixels];  ///< over a pixel's samples: linear colour times alpha, alpha
   alignas(64) std::int32_t pixel[kTilePixels + kPadding];  ///< those that have fragments
   int fragments, pixels;
+
+  // Of pixels whose fragments are being listed.
+  std::uint32_t queue[kMostFragments + kPadding];
+  std::uint8_t uncovered[kTilePixels];  ///< samples
 };
 
 struct SampleJob {
   TileJob tile;
   SampleBuffers* samples;
   float background[4];  ///< linear colour times alpha, alpha
-  bool want_nearness;   ///< of fragments
+  bool want_nearness;   ///< of fragments, and in TileBuffers; else both mean nothing
 };
 
 /// Visibility of one tile, sample by sample: nearest wins, of equals the lower id. TileBuffers::id and

@@ -58,55 +58,71 @@ float mean_nearness(const float* nearness, unsigned mask) {
   return v[0] / static_cast<float>(__builtin_popcount(mask));
 }
 
-// The fragments of one pixel, or its one surface.
-BLYSK_INLINE void collect_pixel(const SampleJob& job, int at) {
-  SampleBuffers& s = *job.samples;
-  const std::int32_t* ids = s.id + at * kSamples;
-  const I32 all = load(ids);
-  unsigned same = to_bits(all == I32(ids[0]));
-  if (same == kAllSamples) {
-    job.tile.buffers->id[at] = ids[0] == kNoSurface ? kNoTriangle : static_cast<std::uint32_t>(ids[0]);
-    return;
-  }
-  float open = 0;
-  for (unsigned rest = kAllSamples;;) {
-    const std::int32_t id = ids[__builtin_ctz(rest)];
-    same = to_bits(all == I32(id));
-    if (id == kNoSurface) {
-      open = static_cast<float>(__builtin_popcount(same));
-    } else {
-      s.fragment_id[s.fragments] = id;
-      s.fragment_place[s.fragments] = static_cast<std::int32_t>(
-          static_cast<unsigned>(at) + kMaskWords.word[0][same & 255] + kMaskWords.word[1][same >> 8]);
-      if (job.want_nearness) {
-        s.fragment_nearness[s.fragments] = mean_nearness(s.nearness + at * kSamples, same);
-      }
-      ++s.fragments;
-    }
-    rest &= ~same;
-    if (rest == 0) break;
-  }
-  for (int k = 0; k < 4; ++k) s.sum[4 * at + k] = job.background[k] * open;
-  s.pixel[s.pixels++] = at;
+// Writes the fragment of the first of `rest`, and lets it count if it `is` there; what is left of `rest`.
+template <bool kCenters>
+BLYSK_INLINE unsigned write_fragment(SampleBuffers& s, int at, unsigned rest, bool is, int& uncovered) {
+  const PixelSamples& pixel = s.open[at + (at >> kTileBits)];
+  const std::int32_t id = pixel.id[__builtin_ctz(rest | 1u << (kSamples - 1))];
+  const unsigned same = to_bits(load(pixel.id) == I32(id));
+  s.fragment_id[s.fragments] = id;
+  s.fragment_place[s.fragments] = static_cast<std::int32_t>(
+      static_cast<unsigned>(at) + kMaskWords.word[0][same & 255] + kMaskWords.word[1][same >> 8]);
+  if constexpr (kCenters) s.fragment_nearness[s.fragments] = mean_nearness(pixel.nearness, same);
+  s.fragments += static_cast<int>(is & (id != kNoSurface));
+  uncovered += id == kNoSurface ? __builtin_popcount(same) : 0;
+  return rest & ~same;
 }
 
+// How many surfaces a pixel shows no branch can foresee. So all pixels write two, which count if they are
+// there, and what is left waits in a queue, from which each step takes one and to which it returns the rest.
+template <bool kCenters>
 void collect(const SampleJob& job) {
+  SampleBuffers& s = *job.samples;
+  int queued = 0;
   for (int row = 0; row < job.tile.height; ++row) {
     for (int column = 0; column < job.tile.width; column += kLanes) {
-      const int at = row * kTileSize + column;
+      const int block = row * kTileSize + column;
       const I32 many(static_cast<std::int32_t>(kManySurfaces));
-      unsigned open = to_bits(load(job.tile.buffers->id + at) == many);
-      for (; open != 0; open &= open - 1) collect_pixel(job, at + __builtin_ctz(open));
+      unsigned open = to_bits(load(job.tile.buffers->id + block) == many);
+      for (; open != 0; open &= open - 1) {
+        const int at = block + __builtin_ctz(open);
+        const PixelSamples& pixel = s.open[at + (at >> kTileBits)];
+        const std::int32_t id = pixel.id[0];
+        const bool shared = to_bits(load(pixel.id) == I32(id)) != kAllSamples;
+        const std::uint32_t whole = id == kNoSurface ? kNoTriangle : static_cast<std::uint32_t>(id);
+        job.tile.buffers->id[at] = shared ? kManySurfaces : whole;
+        int uncovered = 0;
+        unsigned rest = write_fragment<kCenters>(s, at, kAllSamples, shared, uncovered);
+        rest = write_fragment<kCenters>(s, at, rest, shared, uncovered);
+        s.queue[queued] = static_cast<std::uint32_t>(at) | rest << 2 * kTileBits;
+        queued += static_cast<int>(rest != 0);
+        s.pixel[s.pixels] = at;
+        s.pixels += static_cast<int>(shared);
+        s.uncovered[at] = static_cast<std::uint8_t>(uncovered);
+      }
     }
+  }
+  for (int i = 0; i < queued; ++i) {
+    const int at = static_cast<int>(s.queue[i] & (kTilePixels - 1));
+    int uncovered = s.uncovered[at];
+    const unsigned rest = write_fragment<kCenters>(s, at, s.queue[i] >> 2 * kTileBits, true, uncovered);
+    s.uncovered[at] = static_cast<std::uint8_t>(uncovered);
+    s.queue[queued] = static_cast<std::uint32_t>(at) | rest << 2 * kTileBits;
+    queued += static_cast<int>(rest != 0);
+  }
+  for (int i = 0; i < s.pixels; ++i) {
+    const int at = s.pixel[i];
+    for (int k = 0; k < 4; ++k) s.sum[4 * at + k] = job.background[k] * static_cast<float>(s.uncovered[at]);
   }
 }
 
 BLYSK_INLINE void draw_rows(const RowSurface& s, SampleTile& tile, SampleOcclusion& occlusion) {
-  if (occlusion.hides(s.left, s.top, s.right, s.bottom, s.ceiling)) return;
+  if (occlusion.hides(s.box(), s.ceiling)) return;
   RowPainter(s, tile).draw();
-  occlusion.drawn(s.left, s.top, s.right, s.bottom, 4, tile);
+  occlusion.drawn(s.box().blocks(), 8, tile);
 }
 
+template <bool kCenters>
 void draw_small(const TileJob& job, const SmallEntry* entries, int count, SampleTile& tile,
                 SampleOcclusion& occlusion) {
   SmallBlock block;
@@ -117,16 +133,17 @@ void draw_small(const TileJob& job, const SmallEntry* entries, int count, Sample
       draw_rows(row_surface(block, i, id), tile, occlusion);
       continue;
     }
-    const int left = block.left[i], top = block.top[i], right = block.right[i], bottom = block.bottom[i];
-    if (occlusion.hides(left, top, right, bottom, block.highest[i])) continue;
-    draw_patches(block, i, id, tile);
-    occlusion.drawn(left, top, right, bottom, 1, tile);
+    const Box box = block.box(i);
+    if (occlusion.hides(box, block.highest[i])) continue;
+    const std::uint64_t blocks = box.blocks();
+    tile.open_all(blocks);
+    draw_patches<kCenters>(block, i, I32(id), tile);
+    occlusion.drawn(blocks, 1, tile);
   }
 }
 
-}  // namespace
-
-int rasterize_samples(const SampleJob& job) {
+template <bool kCenters>
+int rasterize(const SampleJob& job) {
   const TileJob& of = job.tile;
   SampleTile tile{*of.buffers, *job.samples, {}};
   SampleOcclusion occlusion;
@@ -135,7 +152,9 @@ int rasterize_samples(const SampleJob& job) {
     if (fresh) clear(of);
     fresh = false;
   };
-  SmallEntry waiting[kLanes] = {};
+  // Triangles wait until sixteen others have come after them, so that their vertices are there when they are
+  // set up: these lie anywhere in memory.
+  SmallEntry waiting[2 * kLanes] = {};
   int waits = 0;
   for (int i = 0; i < of.bins_count; ++i) {
     const Bin* bins = of.bins[i];
@@ -153,22 +172,38 @@ int rasterize_samples(const SampleJob& job) {
       clear_once();
       draw_rows(s, tile, occlusion);
     });
-    for_each_entry<SmallEntry>(bins[bin_index(of.tile, Stream::small)], [&](const SmallEntry& t) {
-      clear_once();
-      waiting[waits++] = t;
-      if (waits == kLanes) {
-        draw_small(of, waiting, waits, tile, occlusion);
-        waits = 0;
-      }
-    });
   }
-  if (waits > 0) draw_small(of, waiting, waits, tile, occlusion);
+  // Larger triangles first, then those that face the viewer: they hide most of the others.
+  for (const Stream stream : {Stream::small, Stream::small_away}) {
+    occlusion.refresh(tile);
+    for (int i = 0; i < of.bins_count; ++i) {
+      for_each_entry<SmallEntry>(of.bins[i][bin_index(of.tile, stream)], [&](const SmallEntry& t) {
+        clear_once();
+        for (const std::uint32_t vertex : t.vertex) __builtin_prefetch(of.vertices + vertex);
+        waiting[waits++] = t;
+        if (waits < 2 * kLanes) return;
+        draw_small<kCenters>(of, waiting, kLanes, tile, occlusion);
+        waits = kLanes;
+        std::memcpy(waiting, waiting + kLanes, sizeof waiting / 2);
+      });
+    }
+    for (int first = 0; first < waits; first += kLanes) {
+      draw_small<kCenters>(of, waiting + first, min(waits - first, kLanes), tile, occlusion);
+    }
+    waits = 0;
+  }
   clear_once();
   job.samples->fragments = job.samples->pixels = 0;
-  if (tile.any_open) collect(job);
+  if (tile.any_open) collect<kCenters>(job);
   const int covered = filled ? kTilePixels : count_covered(*of.buffers);
   if (covered < kTilePixels) fill_background(of);
   return covered;
+}
+
+}  // namespace
+
+int rasterize_samples(const SampleJob& job) {
+  return job.want_nearness ? rasterize<true>(job) : rasterize<false>(job);
 }
 
 }  // namespace blysk::BLYSK_ISA

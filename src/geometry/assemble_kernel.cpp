@@ -118,7 +118,7 @@ BLYSK_INLINE void bin_dots(const AssembleJob& job, const Dots& dots, int count) 
   }
 }
 
-BLYSK_INLINE void bin_small(const AssembleJob& job, const Triangles& t, unsigned which) {
+BLYSK_INLINE void bin_small(const AssembleJob& job, const Triangles& t, unsigned which, unsigned away) {
   std::int32_t id[kLanes], v0[kLanes], v1[kLanes], v2[kLanes], left[kLanes], top[kLanes], right[kLanes],
       bottom[kLanes];
   store(t.id, id);
@@ -131,13 +131,14 @@ BLYSK_INLINE void bin_small(const AssembleJob& job, const Triangles& t, unsigned
   store(shift_right<kTileBits>(t.bottom), bottom);
   for (; which != 0; which &= which - 1) {
     const int k = __builtin_ctz(which);
+    const Stream stream = (away >> k & 1) != 0 ? Stream::small_away : Stream::small;
     const SmallEntry entry{static_cast<std::uint32_t>(id[k]),
                            {static_cast<std::uint32_t>(v0[k]), static_cast<std::uint32_t>(v1[k]),
                             static_cast<std::uint32_t>(v2[k])}};
     for (int ty = top[k]; ty <= bottom[k]; ++ty) {
       for (int tx = left[k]; tx <= right[k]; ++tx) {
         append(*job.owner,
-               job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx), Stream::small)], entry);
+               job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx), stream)], entry);
       }
     }
   }
@@ -222,7 +223,8 @@ BLYSK_INLINE void assemble_block(AssembleJob& job, const I32 index[3], I32 id, M
     small_bits &= ~tiny_bits;
   }
   if (small_bits != 0) {
-    bin_small(job, t, small_bits);
+    // From the front a triangle turns counter-clockwise: its area is negative.
+    bin_small(job, t, small_bits, kSampling == Sampling::samples ? ~to_bits(negative) : 0);
     job.drawn += static_cast<std::uint64_t>(__builtin_popcount(small_bits));
   }
 }

@@ -189,8 +189,9 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
   plan.background = pack_background(options.background);
   plan.linear_background = linear_background(options.background, options.transfer);
   plan.sampling = options.antialias == "none" ? Sampling::centers : Sampling::samples;
-  plan.point_lights =
-      std::ranges::any_of(lights, [](const Light& l) { return l.kind == Light::Kind::point; });
+  plan.want_nearness = options.want_depth || std::ranges::any_of(lights, [](const Light& l) {
+                         return l.kind == Light::Kind::point;
+                       });
   for (const Instance& instance : scene.instances) {
     if (scene.meshes[instance.mesh].indices.size() < 3) continue;
     DrawPlan p = plan_draw(scene, instance, plan.view);

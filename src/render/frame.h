@@ -24,7 +24,7 @@ struct FramePlan {
   std::uint32_t background = 0;  ///< RGBA8
   Vec4f linear_background;       ///< linear colour times alpha, alpha
   Sampling sampling = Sampling::centers;
-  bool point_lights = false;
+  bool want_nearness = false;    ///< of pixels: for point lights or a picture of depths
 };
 
 /// Checks the options and fills `plan` (its memory is reused).

@@ -51,8 +51,7 @@ struct Worker {
 void show_nearest(const SampleBuffers& samples, TileBuffers& pixels) {
   for (int i = 0; i < samples.pixels; ++i) {
     const int at = samples.pixel[i];
-    const float* nearness = samples.nearness + at * kSamples;
-    const std::int32_t* id = samples.id + at * kSamples;
+    const auto& [nearness, id] = samples.open[SampleBuffers::place_of(at)];
     int best = 0;
     for (int s = 1; s < kSamples; ++s) {
       if (nearness[s] > nearness[best] || (nearness[s] == nearness[best] && id[s] < id[best])) best = s;
@@ -151,7 +150,7 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
 int Renderer::State::rasterize(Worker& worker, const TileJob& job) {
   if (plan.sampling == Sampling::centers) return table.rasterize(job);
   const Vec4f& b = plan.linear_background;
-  return table.rasterize_samples({job, worker.samples.get(), {b.x, b.y, b.z, b.w}, plan.point_lights});
+  return table.rasterize_samples({job, worker.samples.get(), {b.x, b.y, b.z, b.w}, plan.want_nearness});
 }
 
 // Runs `function` for every draw that has a pixel in the tile.
