@@ -31,7 +31,8 @@ void expect_refused(const Scene& scene, const RenderOptions& options, ErrorCode 
 
 TEST(renderer, refuses_sizes_out_of_range) {
   const Scene scene = shape_scene("cube");
-  for (const auto& [width, height] : {std::pair{0, 10}, {10, 0}, {-1, 10}, {16385, 1}, {1, 16385}, {1 << 30, 1 << 30}}) {
+  for (const auto& [width, height] :
+       {std::pair{0, 10}, {10, 0}, {-1, 10}, {16385, 1}, {1, 16385}, {1 << 30, 1 << 30}}) {
     expect_refused(scene, sized(width, height), ErrorCode::usage, "16384");
   }
   EXPECT_TRUE(shared_renderer(Isa::best).render(scene, sized(16384, 1)));
@@ -147,8 +148,10 @@ TEST(renderer, gives_only_what_is_wanted) {
 
 // Opposite normals, vanishing ones, and ones across the view: pictures and normals stay numbers.
 TEST(renderer, normals_that_cancel_face_the_viewer) {
-  const Vec3f sets[][3] = {{{0, 0, 1}, {0, 0, -1}, {0, 0, 1}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-                           {{1, 0, 0}, {-1, 0, 0}, {1, 0, 0}}, {{0, 1, 0}, {0, -1, 0}, {0, 0, 0}},
+  const Vec3f sets[][3] = {{{0, 0, 1}, {0, 0, -1}, {0, 0, 1}},
+                           {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+                           {{1, 0, 0}, {-1, 0, 0}, {1, 0, 0}},
+                           {{0, 1, 0}, {0, -1, 0}, {0, 0, 0}},
                            {{1e-20f, 0, 0}, {0, 1e-20f, 0}, {0, 0, 1e-20f}}};
   for (const auto& normals : sets) {
     // The edge between the first two corners runs through pixel centres, its middle lies on one.
@@ -180,13 +183,15 @@ TEST(renderer, counts_by_hand) {
   o.camera = pixel_camera(80);
   o.cull = Cull::back;
   Scene scene;
-  scene.add(square(), {}, translation({-40, -30, 0}) * scaling({20, 10, 1}));             // 200 pixels
-  scene.add(square(), {}, translation({0, 0, -0.5}) * scaling({200, 150, 1}));            // the upper right quarter: 2000
-  scene.add(square(), {}, translation({10, 10, 0.5}) * scaling({5, 5, 1}));               // hides 25 of them
-  scene.add(square(), {}, translation({10, 20, 0.7}) * rotation({0, 1, 0}, 3.2) * scaling({5, 5, 0.1}));  // away
-  scene.add(square(), {}, translation({5.1, -20.9, 0}) * scaling({0.2, 0.2, 1}));         // between pixel centres
-  scene.add(square(), {}, translation({300, 0, 0}) * scaling({9, 9, 1}));                 // outside
-  scene.add(square(), {}, translation({0, 0, 5}) * scaling({9, 9, 1}));                   // before the near plane
+  scene.add(square(), {}, translation({-40, -30, 0}) * scaling({20, 10, 1}));  // 200 pixels
+  scene.add(square(), {},
+            translation({0, 0, -0.5}) * scaling({200, 150, 1}));             // the upper right quarter: 2000
+  scene.add(square(), {}, translation({10, 10, 0.5}) * scaling({5, 5, 1}));  // hides 25 of them
+  scene.add(square(), {},
+            translation({10, 20, 0.7}) * rotation({0, 1, 0}, 3.2) * scaling({5, 5, 0.1}));  // away
+  scene.add(square(), {}, translation({5.1, -20.9, 0}) * scaling({0.2, 0.2, 1}));  // between pixel centres
+  scene.add(square(), {}, translation({300, 0, 0}) * scaling({9, 9, 1}));          // outside
+  scene.add(square(), {}, translation({0, 0, 5}) * scaling({9, 9, 1}));            // before the near plane
   const Frame frame = render_frame(scene, o);
   EXPECT_EQ(frame.statistics.triangles_in, 14u);
   EXPECT_EQ(frame.statistics.triangles_culled, 2u);
@@ -215,7 +220,8 @@ TEST(renderer, culling_knows_mirrored_instances) {
         o.cull = cull;
         const Frame frame = render_frame(scene, o);
         const bool culled = !front && (cull == Cull::back || (cull == Cull::material && !double_sided));
-        EXPECT_EQ(frame.statistics.triangles_culled, culled ? 2u : 0u) << scale.x << " " << scale.y << " " << scale.z;
+        EXPECT_EQ(frame.statistics.triangles_culled, culled ? 2u : 0u)
+            << scale.x << " " << scale.y << " " << scale.z;
         EXPECT_EQ(frame.statistics.pixels_covered, culled ? 0u : 81u);
       }
     }
@@ -237,7 +243,8 @@ TEST(renderer, culling_does_not_show_on_solids) {
       const Frame all = render_frame(scene, o);
       o.cull = Cull::back;
       const Frame culled = render_frame(scene, o);
-      if (std::string_view(text).starts_with("teapot")) continue;  // open: the spout and the lid's rim show insides
+      if (std::string_view(text).starts_with("teapot"))
+        continue;  // open: the spout and the lid's rim show insides
       EXPECT_GT(culled.statistics.triangles_culled, 0u) << text;
       EXPECT_TRUE(all.image.pixels == culled.image.pixels) << text << ", " << mirror;
     }

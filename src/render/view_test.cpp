@@ -40,7 +40,8 @@ Extent extent_of(const Scene& scene, const Camera& camera, int width, int height
   if (!view) return e;
   for (const Vec3d& p : points_of(scene)) {
     const Vec4d v = transform(view->screen, {p.x, p.y, p.z, 1});
-    const double x = v.x / v.w / (128.0 * width) - 1, y = 1 - v.y / v.w / (128.0 * height), nearness = v.z / v.w;
+    const double x = v.x / v.w / (128.0 * width) - 1, y = 1 - v.y / v.w / (128.0 * height),
+                 nearness = v.z / v.w;
     e.left = std::min(e.left, x);
     e.right = std::max(e.right, x);
     e.bottom = std::min(e.bottom, y);
@@ -80,28 +81,27 @@ std::vector<NamedScene> scenes() {
   return all;
 }
 
-constexpr View kViews[] = {View::iso, View::front, View::back, View::left, View::right, View::top, View::bottom};
+constexpr View kViews[] = {View::iso,   View::front, View::back,  View::left,
+                           View::right, View::top,   View::bottom};
 
 TEST(frame_camera, keeps_all_of_the_scene_in_the_picture) {
-  const struct {
-    int width, height;
-  } sizes[] = {{640, 480}, {100, 700}, {1600, 200}, {64, 64}};
+  const struct { int width, height; } sizes[] = {{640, 480}, {100, 700}, {1600, 200}, {64, 64}};
   for (const auto& [name, scene] : scenes()) {
     for (const View view : kViews) {
       for (const auto& [width, height] : sizes) {
         for (const double fov : {5.0, 30.0, 90.0, 150.0}) {
           for (const bool orthographic : {false, true}) {
-            const Framing framing = {.view = view,
-                                     .aspect = double(width) / height,
-                                     .fov_deg = fov,
-                                     .orthographic = orthographic};
+            const Framing framing = {
+                .view = view, .aspect = double(width) / height, .fov_deg = fov, .orthographic = orthographic};
             const Extent e = extent_of(scene, frame_camera(scene, framing), width, height);
             const auto what = [&] {
-              return name + ", view " + std::to_string(static_cast<int>(view)) + ", " + std::to_string(width) + "x" +
-                     std::to_string(height) + ", fov " + std::to_string(fov) + (orthographic ? ", orthographic" : "");
+              return name + ", view " + std::to_string(static_cast<int>(view)) + ", " +
+                     std::to_string(width) + "x" + std::to_string(height) + ", fov " + std::to_string(fov) +
+                     (orthographic ? ", orthographic" : "");
             };
             EXPECT_LE(e.fill(), 1) << what();
-            // And it is not lost in it. In a wide field of view the eye would have to enter it to come nearer.
+            // And it is not lost in it. In a wide field of view the eye would have to enter it to come
+            // nearer.
             EXPECT_GE(e.fill(), (fov < 60 && name != "needle") || orthographic ? 0.9 : 0) << what();
             EXPECT_GE(e.nearest, 0) << what();
             EXPECT_LE(e.farthest, 1) << what();
@@ -116,7 +116,9 @@ TEST(frame_camera, centres_the_scene) {
   for (const auto& [name, scene] : scenes()) {
     for (const View view : kViews) {
       for (const bool orthographic : {false, true}) {
-        const Extent e = extent_of(scene, frame_camera(scene, {.view = view, .aspect = 1.5, .orthographic = orthographic}), 300, 200);
+        const Extent e =
+            extent_of(scene, frame_camera(scene, {.view = view, .aspect = 1.5, .orthographic = orthographic}),
+                      300, 200);
         // In perspective only the direction in which it fills the picture.
         const bool wide = e.right - e.left > e.top - e.bottom;
         EXPECT_NEAR(e.left + e.right, 0, orthographic || wide ? 0.02 : 1) << name;
@@ -142,7 +144,8 @@ TEST(frame_camera, zoom_enlarges) {
 
 TEST(frame_camera, looks_from_where_it_says) {
   const Scene scene = std::move(*make_shape("cube"));
-  const Vec3d from[] = {normalize(Vec3d{1, 0.8, 1.4}), {0, 0, 1}, {0, 0, -1}, {-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+  const Vec3d from[] = {
+      normalize(Vec3d{1, 0.8, 1.4}), {0, 0, 1}, {0, 0, -1}, {-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
   for (std::size_t i = 0; i < std::size(kViews); ++i) {
     const Camera c = frame_camera(scene, {.view = kViews[i]});
     EXPECT_LT(length(normalize(c.eye - c.target) - from[i]), 1e-9) << i;
@@ -151,7 +154,8 @@ TEST(frame_camera, looks_from_where_it_says) {
 }
 
 TEST(frame_camera, takes_scenes_without_extent) {
-  for (const Scene& scene : {Scene{}, scene_of(Mesh{}), scene_of(mesh_of({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {0, 1, 2}))}) {
+  for (const Scene& scene :
+       {Scene{}, scene_of(Mesh{}), scene_of(mesh_of({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {0, 1, 2}))}) {
     for (const bool orthographic : {false, true}) {
       const Camera c = frame_camera(scene, {.orthographic = orthographic});
       EXPECT_TRUE(make_view(c, scene, 64, 48));
@@ -176,15 +180,18 @@ TEST(make_view, matrices_and_rays_agree) {
     Camera c = looking(random_direction(random) * 5, random_direction(random), random_direction(random));
     c.fov_deg = uniform(random, 2, 150);
     if (i % 2 == 0) c.height = uniform(random, 0.1, 9);
-    const int width = static_cast<int>(whole(random, 1, 2000)), height = static_cast<int>(whole(random, 1, 2000));
+    const int width = static_cast<int>(whole(random, 1, 2000)),
+              height = static_cast<int>(whole(random, 1, 2000));
     const Result<ViewFrame> view = make_view(c, Scene{}, width, height);
     ASSERT_TRUE(view);
     EXPECT_NEAR(length(view->right), 1, 1e-12);
     EXPECT_LT(length(cross(view->right, view->forward) - view->up), 1e-12);
     EXPECT_LT(length(view->forward - normalize(c.target - c.eye)), 1e-12);
 
-    const double depth = uniform(random, 0.6, 30), reach = c.height > 0 ? c.height / 2 : depth * std::tan(c.fov_deg * 3.14159265358979 / 360);
-    const Vec3d p = c.eye + view->forward * depth + view->right * (uniform(random, -1, 1) * reach * width / height) +
+    const double depth = uniform(random, 0.6, 30),
+                 reach = c.height > 0 ? c.height / 2 : depth * std::tan(c.fov_deg * 3.14159265358979 / 360);
+    const Vec3d p = c.eye + view->forward * depth +
+                    view->right * (uniform(random, -1, 1) * reach * width / height) +
                     view->up * (uniform(random, -1, 1) * reach);
     const Vec4d v = transform(view->screen, {p.x, p.y, p.z, 1});
     const double x = v.x / v.w, y = v.y / v.w, nearness = v.z / v.w;
@@ -194,8 +201,12 @@ TEST(make_view, matrices_and_rays_agree) {
     const double d = r.orthographic ? double{r.depth_a} + double{r.depth_b} * nearness
                                     : double{r.depth_a} / (1 + double{r.depth_b} * nearness);
     EXPECT_NEAR(d, depth, 1e-5 * depth);
-    const auto along = [&](int k) { return double{r.direction[k]} + x * double{r.direction_x[k]} + y * double{r.direction_y[k]}; };
-    const auto from = [&](int k) { return double{r.origin[k]} + x * double{r.origin_x[k]} + y * double{r.origin_y[k]}; };
+    const auto along = [&](int k) {
+      return double{r.direction[k]} + x * double{r.direction_x[k]} + y * double{r.direction_y[k]};
+    };
+    const auto from = [&](int k) {
+      return double{r.origin[k]} + x * double{r.origin_x[k]} + y * double{r.origin_y[k]};
+    };
     const Vec3d back = {from(0) + d * along(0), from(1) + d * along(1), from(2) + d * along(2)};
     EXPECT_LT(length(back - p), 2e-5 * (reach * (1 + double(width) / height) + depth)) << i;
   }
