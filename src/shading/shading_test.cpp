@@ -40,7 +40,8 @@ Mesh random_mesh(Random& random, bool colors) {
     const Vec3d a = to_double(mesh.positions[3 * i]), b = to_double(mesh.positions[3 * i + 1]),
                 c = to_double(mesh.positions[3 * i + 2]);
     const Vec3d face = normalize(cross(b - a, c - a));
-    for (int k = 0; k < 3; ++k) mesh.normals.push_back(to_float(normalize(face + random_direction(random) * 0.7)));
+    for (int k = 0; k < 3; ++k)
+      mesh.normals.push_back(to_float(normalize(face + random_direction(random) * 0.7)));
     for (int k = 0; k < 3 && colors; ++k) {
       const Vec3f color = random_color(random, 0, 1);
       mesh.colors.push_back({color.x, color.y, color.z, 1});
@@ -71,7 +72,9 @@ Trial random_trial(Random& random, Where where = Where::outside) {
   o.cull = Cull::none;
   o.want_id = true;
   t.model = static_cast<LightingModel>(whole(random, 0, 2));
-  o.lighting = t.model == LightingModel::blinn ? "blinn" : t.model == LightingModel::phong ? "phong" : "lambert";
+  o.lighting = t.model == LightingModel::blinn   ? "blinn"
+               : t.model == LightingModel::phong ? "phong"
+                                                 : "lambert";
   for (std::int64_t i = whole(random, 1, 3); i > 0; --i) {
     Light light;
     light.kind = whole(random, 0, 1) == 0 ? Light::Kind::point : Light::Kind::directional;
@@ -108,7 +111,8 @@ struct Subject {
 Subject subject_of(const Trial& t, std::size_t triangle) {
   Subject s;
   const Mesh& mesh = t.scene.meshes[0];
-  s.shaded.lighting = {t.model, t.scene.materials[0], t.options.lights, static_cast<double>(t.options.ambient)};
+  s.shaded.lighting = {t.model, t.scene.materials[0], t.options.lights,
+                       static_cast<double>(t.options.ambient)};
   s.shaded.view = t.view;
   double longest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -118,7 +122,8 @@ Subject subject_of(const Trial& t, std::size_t triangle) {
     const auto place = reference::place(t.projection, mesh.positions[v]);
     const auto row = [&](int i) {
       const float* m = t.projection.row[i];
-      return double{m[0]} * c.position.x + double{m[1]} * c.position.y + double{m[2]} * c.position.z + double{m[3]};
+      return double{m[0]} * c.position.x + double{m[1]} * c.position.y + double{m[2]} * c.position.z +
+             double{m[3]};
     };
     // A corner behind the eye has a place too, with a negative w: the weights stay right.
     s.q[k] = 1 / row(3);
@@ -154,7 +159,8 @@ Vec3d point_at(const Subject& s, double x, double y) {
   return corner[0].position * w[0] + corner[1].position * w[1] + corner[2].position * w[2];
 }
 
-// Light jumps where a normal turns away from the viewer, and specular light where it turns away from the lamp.
+// Light jumps where a normal turns away from the viewer, and specular light where it turns away from the
+// lamp.
 bool near_a_jump(const reference::ShadedTriangle& t, Vec3d position, Vec3d normal) {
   const Vec3d n = normalize(normal);
   if (std::abs(dot(n, normalize(t.view.towards_viewer(position)))) < 1e-3) return true;
@@ -182,7 +188,8 @@ const std::vector<Method>& methods_under_test() {
       {"gouraud", [](const Subject& s, const auto& w, Vec3d) { return reference::gouraud(s.shaded, w); },
        [](const Subject& s, const auto&, Vec3d) {
          const auto& c = s.shaded.corner;
-         return std::any_of(c.begin(), c.end(), [&](const auto& v) { return near_a_jump(s.shaded, v.position, v.normal); });
+         return std::any_of(c.begin(), c.end(),
+                            [&](const auto& v) { return near_a_jump(s.shaded, v.position, v.normal); });
        }},
       {"phong", [](const Subject& s, const auto& w, Vec3d p) { return reference::phong(s.shaded, w, p); },
        [](const Subject& s, const auto& w, Vec3d p) {
@@ -223,7 +230,8 @@ void compare_pictures(const Method& method, Where where, long pixels, Errors& er
     for (std::size_t p = 0; p < frame.id.size(); ++p) {
       if (frame.id[p] == 0) continue;
       const Subject& s = subjects[frame.id[p] - 1];
-      const double x = (static_cast<double>(p % kWidth) + 0.5) * kSubpixels, y = (static_cast<double>(p / kWidth) + 0.5) * kSubpixels;
+      const double x = (static_cast<double>(p % kWidth) + 0.5) * kSubpixels,
+                   y = (static_cast<double>(p / kWidth) + 0.5) * kSubpixels;
       const auto w = reference::weights(s.shaded.corner, x, y);
       const Vec3d point = point_at(s, x, y);
       if (where == Where::among && !s.clipped) continue;
@@ -310,7 +318,8 @@ TEST(shading, the_unit_of_length_does_not_show) {
         q.camera->far_distance *= unit;
         for (Light& light : q.lights) light.vector = light.vector * unit;
         const Frame frame = render_frame(other.scene, q);
-        EXPECT_TRUE(frame.image.pixels == expected.image.pixels && frame.normal.values == expected.normal.values)
+        EXPECT_TRUE(frame.image.pixels == expected.image.pixels &&
+                    frame.normal.values == expected.normal.values)
             << method.name << ", 2^" << power << (t.scene.meshes[0].normals.empty() ? ", no normals" : "");
       }
     }
@@ -333,7 +342,8 @@ TEST(shading, the_scale_of_an_instance_does_not_show) {
         const double back = std::ldexp(1.0, -power);
         other.scene.instances[0].transform = scaling({back, back, back});
         const Frame frame = render_frame(other.scene, o);
-        EXPECT_TRUE(frame.image.pixels == expected.image.pixels && frame.normal.values == expected.normal.values)
+        EXPECT_TRUE(frame.image.pixels == expected.image.pixels &&
+                    frame.normal.values == expected.normal.values)
             << method.name << ", 2^" << power << (t.scene.meshes[0].normals.empty() ? ", no normals" : "");
       }
     }
@@ -347,9 +357,12 @@ TEST(shading, slivers_stay_between_their_corners) {
   for (int round = 0; round < 4000; ++round) {
     Mesh mesh;
     const double reach = std::pow(2.0, uniform(random, 5, 13));
-    const Vec3d from = {uniform(random, -reach, 40), uniform(random, -reach, 30), 0}, to = {uniform(random, -40, reach), uniform(random, -30, reach), 0};
+    const Vec3d from = {uniform(random, -reach, 40), uniform(random, -reach, 30), 0},
+                to = {uniform(random, -40, reach), uniform(random, -30, reach), 0};
     const double along = uniform(random, 0, 1);
-    const Vec3d middle = from + (to - from) * along + Vec3d{uniform(random, -1, 1), uniform(random, -1, 1), 0} * std::pow(2.0, uniform(random, -9, 0));
+    const Vec3d middle =
+        from + (to - from) * along +
+        Vec3d{uniform(random, -1, 1), uniform(random, -1, 1), 0} * std::pow(2.0, uniform(random, -9, 0));
     for (const Vec3d& p : {from, to, middle}) mesh.positions.push_back(to_float(p));
     mesh.indices = {0, 1, 2};
     mesh.normals.assign(3, Vec3f{0, 0, 1});
@@ -367,8 +380,10 @@ TEST(shading, slivers_stay_between_their_corners) {
     white.unlit = true;
     const Frame frame = render_frame(scene_of(mesh, white), o);
     const auto& c = mesh.colors;
-    const float lowest[3] = {std::min({c[0].x, c[1].x, c[2].x}), std::min({c[0].y, c[1].y, c[2].y}), std::min({c[0].z, c[1].z, c[2].z})};
-    const float highest[3] = {std::max({c[0].x, c[1].x, c[2].x}), std::max({c[0].y, c[1].y, c[2].y}), std::max({c[0].z, c[1].z, c[2].z})};
+    const float lowest[3] = {std::min({c[0].x, c[1].x, c[2].x}), std::min({c[0].y, c[1].y, c[2].y}),
+                             std::min({c[0].z, c[1].z, c[2].z})};
+    const float highest[3] = {std::max({c[0].x, c[1].x, c[2].x}), std::max({c[0].y, c[1].y, c[2].y}),
+                              std::max({c[0].z, c[1].z, c[2].z})};
     for (std::size_t p = 0; p < frame.id.size(); ++p) {
       if (frame.id[p] == 0) continue;
       ++pixels;
