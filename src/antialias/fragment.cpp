@@ -1,39 +1,30 @@
 #include "antialias/fragment.h"
 
-#include <cmath>
-
 namespace blysk::antialias {
 namespace {
 
-struct Interval {
-  float low, high;
-};
+constexpr std::size_t kGroup = 16;  // samples that are compared at once
 
-// Depths at all samples, wide enough for every rounding on the way to one.
-Interval depths(const Fragment& f, const SamplePattern& pattern) {
-  constexpr float kRoundings = 8 * 0x1p-24f;
-  const float reach = pattern.reach_a * std::abs(f.zx) + pattern.reach_b * std::abs(f.zy);
-  const float wide = reach + kRoundings * (std::abs(f.z) + reach);
-  return {f.z - wide, f.z + wide};
+// Loops of a known length without branches: compilers make vectors of them.
+Mask visible_group(const Fragment& g, const Fragment& f, const float* a, const float* b, bool ties) {
+  Mask nearer = 0, equal = 0;
+  for (std::size_t s = 0; s < kGroup; ++s) {
+    const float zg = (g.z + a[s] * g.zx) + b[s] * g.zy, zf = (f.z + a[s] * f.zx) + b[s] * f.zy;
+    const Mask bit = Mask{1} << s;
+    nearer |= zg < zf ? bit : 0;
+    equal |= zg == zf ? bit : 0;
+  }
+  return ties ? nearer | equal : nearer;
 }
 
 }  // namespace
 
 Mask visibility(const Fragment& g, const Fragment& f, const SamplePattern& pattern, bool ties) {
-  Mask nearer = 0, equal = 0;
-  for (std::size_t s = 0; s < pattern.count; ++s) {
-    const float zg = depth_at(g, pattern, s), zf = depth_at(f, pattern, s);
-    nearer |= static_cast<Mask>(zg < zf) << s;
-    equal |= static_cast<Mask>(zg == zf) << s;
+  Mask all = visible_group(g, f, pattern.a.data(), pattern.b.data(), ties);
+  if (pattern.count > kGroup) {
+    all |= visible_group(g, f, pattern.a.data() + kGroup, pattern.b.data() + kGroup, ties) << kGroup;
   }
-  return ties ? nearer | equal : nearer;
-}
-
-Mask fast_visibility(const Fragment& g, const Fragment& f, const SamplePattern& pattern, bool ties) {
-  const Interval of_g = depths(g, pattern), of_f = depths(f, pattern);
-  if (of_g.high < of_f.low) return pattern.full();
-  if (of_f.high < of_g.low) return 0;
-  return visibility(g, f, pattern, ties);
+  return all & pattern.full();
 }
 
 }  // namespace blysk::antialias

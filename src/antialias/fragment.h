@@ -41,8 +41,4 @@ enum class Tie {
 [[nodiscard]] Mask visibility(const Fragment& g, const Fragment& f, const SamplePattern& pattern,
                               bool ties = true);
 
-/// The same by whole intervals of depth where they are apart, which is always the answer of the samples.
-[[nodiscard]] Mask fast_visibility(const Fragment& g, const Fragment& f, const SamplePattern& pattern,
-                                   bool ties = true);
-
 }  // namespace blysk::antialias

@@ -24,7 +24,6 @@ TEST(visibility, case_of_the_specification) {
                  b = fragment(1, 0, {}, 0.53125f, -0.125f, 0.25f);
   EXPECT_EQ(visibility(a, b, kGrid16), 0x7733u);
   EXPECT_EQ(visibility(a, b, kGrid32), 0x3F1F0F0Fu);
-  EXPECT_EQ(fast_visibility(a, b, kGrid16), 0x7733u);
 }
 
 TEST(fragment_lists, a1_intersecting_planes) {
