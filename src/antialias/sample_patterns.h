@@ -62,10 +62,18 @@ constexpr SamplePattern rooks() {
   return p;
 }
 
+constexpr SamplePattern centre() {
+  SamplePattern p;
+  p.name = "centre";
+  p.add(0, 0);
+  return p;
+}
+
 }  // namespace detail
 
 inline constexpr SamplePattern kGrid16 = detail::grid("grid16", 4, 4);  ///< the paper's 4x4
 inline constexpr SamplePattern kGrid32 = detail::grid("grid32", 8, 4);  ///< Carpenter's 4x8: 8 columns
 inline constexpr SamplePattern kRooks16 = detail::rooks();  ///< one in each of 16 rows and columns
+inline constexpr SamplePattern kCentre = detail::centre();  ///< what a z-buffer without antialiasing sees
 
 }  // namespace blysk::antialias

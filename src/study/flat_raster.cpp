@@ -111,6 +111,10 @@ void rasterise(std::span<const FlatTriangle> triangles, std::span<const std::uin
   }
 }
 
+const antialias::SamplePattern& samples_of(const Variant& variant, const antialias::SamplePattern& pattern) {
+  return variant.kind == Variant::Kind::zbuffer ? antialias::kCentre : pattern;
+}
+
 std::unique_ptr<antialias::FragmentTile> make_tile(const Variant& v, const antialias::SamplePattern& pattern,
                                                    std::size_t tile_pixels, std::size_t picture_pixels) {
   switch (v.kind) {
@@ -124,6 +128,9 @@ std::unique_ptr<antialias::FragmentTile> make_tile(const Variant& v, const antia
                                          .tie = v.tie});
     case Variant::Kind::carpenter:
       return std::make_unique<antialias::CarpenterLists>(pattern);
+    case Variant::Kind::zbuffer:
+      return std::make_unique<antialias::FragmentLists>(
+          antialias::FragmentListOptions{.pattern = &antialias::kCentre, .tie = v.tie});
     case Variant::Kind::lists:
       break;
   }
@@ -138,6 +145,7 @@ Drawing draw(std::span<const FlatTriangle> triangles, const DrawOptions& options
   const auto width = static_cast<std::size_t>(options.width);
   const std::size_t picture_pixels = width * static_cast<std::size_t>(options.height);
   const std::vector<std::uint32_t> order = submission_order(triangles, options.order, options.seed);
+  const antialias::SamplePattern& pattern = samples_of(options.variant, *options.pattern);
 
   Drawing drawing;
   drawing.pixels.resize(picture_pixels);
@@ -151,8 +159,8 @@ Drawing draw(std::span<const FlatTriangle> triangles, const DrawOptions& options
                            std::min(options.tile, options.height - top)};
     FragmentStream& stream = streams[static_cast<std::size_t>(worker)];
     stream.clear();
-    rasterise(triangles, order, region, *options.pattern, stream);
-    const auto tile = make_tile(options.variant, *options.pattern, region.pixels(), picture_pixels);
+    rasterise(triangles, order, region, pattern, stream);
+    const auto tile = make_tile(options.variant, pattern, region.pixels(), picture_pixels);
     tile->clear(region.pixels());
     stream.insert_into(*tile);
     for (std::size_t p = 0; p < region.pixels(); ++p) {

@@ -62,7 +62,7 @@ void rasterise(std::span<const FlatTriangle> triangles, std::span<const std::uin
                const Region& region, const antialias::SamplePattern& pattern, FragmentStream& stream);
 
 struct Variant {
-  enum class Kind { lists, pool, carpenter };
+  enum class Kind { lists, pool, carpenter, zbuffer };
   Kind kind = Kind::lists;
   antialias::Overflow overflow = antialias::Overflow::unlimited;
   std::size_t most = 8;             ///< of lists
@@ -70,6 +70,10 @@ struct Variant {
   std::size_t pool = 0;             ///< slots for the whole picture; tiles have their share
   antialias::Tie tie = antialias::Tie::existing;
 };
+
+/// The samples that a variant works with where the others work with `pattern`.
+[[nodiscard]] const antialias::SamplePattern& samples_of(const Variant& variant,
+                                                         const antialias::SamplePattern& pattern);
 
 [[nodiscard]] std::unique_ptr<antialias::FragmentTile> make_tile(const Variant& variant,
                                                                  const antialias::SamplePattern& pattern,
