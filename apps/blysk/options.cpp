@@ -26,6 +26,18 @@ std::vector<std::string> method_names(MethodKind kind) {
   return names;
 }
 
+// "; quadratic:form=..., segments=..." where methods have settings.
+std::string settings_of(MethodKind kind) {
+  std::string text;
+  for (const Method& method : methods()) {
+    if (method.kind != kind || method.settings.empty()) continue;
+    std::vector<std::string> names;
+    for (const MethodSetting& setting : method.settings) names.push_back(std::string(setting.name) + "=");
+    text += (text.empty() ? "; settings: " : ", ") + std::string(method.name) + ":" + join(names, ",");
+  }
+  return text;
+}
+
 std::vector<std::string> with_all(std::vector<std::string> names) {
   names.emplace_back("all");
   return names;
@@ -272,37 +284,41 @@ std::vector<Option> material_options() {
 std::vector<Option> method_options() {
   return {
       {.name = "shading",
-       .type = Type::choice,
+       .type = Type::method,
        .value = "METHOD",
        .group = Group::method,
        .choices = method_names(MethodKind::shading),
+       .kind = MethodKind::shading,
        .initial = RenderOptions{}.shading,
        .example = RenderOptions{}.shading,
        .help = "how intensity reaches every pixel of a triangle; blysk methods describes them all"},
       {.name = "lighting",
-       .type = Type::choice,
+       .type = Type::method,
        .value = "MODEL",
        .group = Group::method,
        .users = kDraw,
        .choices = method_names(MethodKind::lighting),
+       .kind = MethodKind::lighting,
        .initial = RenderOptions{}.lighting,
        .example = RenderOptions{}.lighting,
        .help = "how light, normal and view give an intensity"},
       {.name = "lobe",
-       .type = Type::choice,
+       .type = Type::method,
        .value = "NAME",
        .group = Group::method,
        .users = kDraw,
        .choices = method_names(MethodKind::lobe),
+       .kind = MethodKind::lobe,
        .initial = RenderOptions{}.lobe,
        .example = RenderOptions{}.lobe,
        .help = "how highlights fall off"},
       {.name = "antialias",
-       .type = Type::choice,
+       .type = Type::method,
        .value = "METHOD",
        .group = Group::method,
        .users = kDraw,
        .choices = method_names(MethodKind::antialias),
+       .kind = MethodKind::antialias,
        .initial = RenderOptions{}.antialias,
        .example = RenderOptions{}.antialias,
        .help = "how edges are smoothed; none is one sample at each pixel's centre"},
@@ -317,7 +333,7 @@ std::vector<Option> method_options() {
        .help =
            "how normals and colours run across a triangle: perspective-correct, or linear in the picture"},
       {.name = "methods",
-       .type = Type::choices,
+       .type = Type::methods,
        .value = "LIST|all",
        .group = Group::method,
        .users = kCompare,
@@ -326,11 +342,12 @@ std::vector<Option> method_options() {
        .example = "gouraud,flat",
        .help = "render the models with each of these shading methods and compare them with --reference"},
       {.name = "reference",
-       .type = Type::choice,
+       .type = Type::method,
        .value = "METHOD",
        .group = Group::method,
        .users = kCompare,
        .choices = method_names(MethodKind::shading),
+       .kind = MethodKind::shading,
        .initial = RenderOptions{}.shading,
        .example = RenderOptions{}.shading,
        .help = "shading method that the others of --methods are measured against"},
@@ -614,6 +631,10 @@ std::string domain(const Option& option) {
       return "";
     case Type::choice:
       return "one of " + join(option.choices, ", ");
+    case Type::method:
+      return "one of " + join(option.choices, ", ") + settings_of(option.kind);
+    case Type::methods:
+      return "some of " + join(option.choices, ", ") + ", comma-separated";
     case Type::choices:
       return "some of " + join(option.choices, ", ") + ", comma-separated";
     case Type::integer:

@@ -53,7 +53,7 @@ struct RenderOptions {
   std::optional<Camera> camera;    ///< none: frame_camera() of the scene
   std::vector<Light> lights;       ///< none: the scene's; none there either: a key light
   float ambient = 0.15f;           ///< Ia
-  std::string shading = "phong";   ///< option name from methods()
+  std::string shading = "phong";   ///< as choose_method() reads it
   std::string lighting = "blinn";  ///< likewise
   std::string lobe = "power";      ///< likewise
   std::string antialias = "none";  ///< likewise

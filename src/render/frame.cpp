@@ -4,7 +4,6 @@
 #include <cmath>
 #include <span>
 
-#include "blysk/methods.h"
 #include "lighting/set_lobe.h"
 
 namespace blysk {
@@ -34,11 +33,9 @@ Status check(const RenderOptions& o) {
                                                               {MethodKind::lighting, &o.lighting},
                                                               {MethodKind::lobe, &o.lobe},
                                                               {MethodKind::antialias, &o.antialias}};
-  for (const auto& [kind, name] : chosen) {
-    if (find_method(kind, *name) == nullptr) {
-      return failure(ErrorCode::usage,
-                     "there is no " + std::string(kind_name(kind)) + " method called " + *name);
-    }
+  for (const auto& [kind, text] : chosen) {
+    const Result<MethodChoice> choice = choose_method(kind, *text);
+    if (!choice) return choice.error();
   }
   return Done{};
 }
@@ -177,6 +174,7 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
 
   plan.draws.clear();
   plan.vertices = plan.triangles = 0;
+  plan.shading = *choose_method(MethodKind::shading, options.shading);
   plan.background = pack_background(options.background);
   for (const Instance& instance : scene.instances) {
     if (scene.meshes[instance.mesh].indices.size() < 3) continue;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "blysk/methods.h"
 #include "blysk/render.h"
 #include "geometry/assemble.h"
 #include "render/view.h"
@@ -22,6 +23,7 @@ struct FramePlan {
   std::vector<DrawPlan> draws;  ///< instances with triangles, in the scene's order
   std::size_t vertices = 0, triangles = 0;
   std::uint32_t background = 0;  ///< RGBA8
+  MethodChoice shading;
 };
 
 /// Checks the options and fills `plan` (its memory is reused).

@@ -188,7 +188,8 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
                    nullptr,
                    &plan.view.rays,
                    options.interpolation == Interpolation::screen,
-                   options.transfer};
+                   options.transfer,
+                   plan.shading.values.data()};
   if (covered > 0) shade_draws(worker, shading, shade);
   if (options.want_normal) {
     worker.normals.assign(3 * kTilePixels, 0.0f);
@@ -218,7 +219,7 @@ void Renderer::State::draw_tiles(const RenderOptions& options, int tiles_x, std:
   for (Worker& w : workers) bin_lists.push_back(w.bins.bins());
   ShadeFunction shade = nullptr;
   for (int i = 0; i < table.shadings_count; ++i) {
-    if (table.shadings[i].name == options.shading) shade = table.shadings[i].shade;
+    if (table.shadings[i].name == plan.shading.method->name) shade = table.shadings[i].shade;
   }
   pool.for_each(tiles, [&](int worker, std::size_t tile) {
     draw_tile(workers[static_cast<std::size_t>(worker)], options, tiles_x, tile, shade, frame);

@@ -61,13 +61,15 @@ struct FastNormalize {
 }  // namespace
 
 void shade_fast_normalize(const ShadeJob& job) {
-  shade_draw<FastNormalize<kInverseLengthPaper>, ColorSink>(job);
-}
-void shade_fast_normalize_minimax(const ShadeJob& job) {
-  shade_draw<FastNormalize<kInverseLengthMinimax>, ColorSink>(job);
-}
-void shade_fast_normalize_cubic(const ShadeJob& job) {
-  shade_draw<FastNormalize<kInverseLengthCubic>, ColorSink>(job);
+  enum class Fit { paper, minimax, cubic };
+  switch (static_cast<Fit>(job.settings[0])) {
+    case Fit::paper:
+      return shade_draw<FastNormalize<kInverseLengthPaper>, ColorSink>(job);
+    case Fit::minimax:
+      return shade_draw<FastNormalize<kInverseLengthMinimax>, ColorSink>(job);
+    case Fit::cubic:
+      return shade_draw<FastNormalize<kInverseLengthCubic>, ColorSink>(job);
+  }
 }
 
 }  // namespace blysk::BLYSK_ISA

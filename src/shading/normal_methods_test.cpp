@@ -22,10 +22,10 @@ struct Shading {
 };
 
 constexpr Shading kShadings[] = {{"fast-normalize", &kInverseLengthPaper, nullptr},
-                                 {"fast-normalize-minimax", &kInverseLengthMinimax, nullptr},
-                                 {"fast-normalize-cubic", &kInverseLengthCubic, nullptr},
+                                 {"fast-normalize:fit=minimax", &kInverseLengthMinimax, nullptr},
+                                 {"fast-normalize:fit=cubic", &kInverseLengthCubic, nullptr},
                                  {"barycentric", nullptr, &kMidVectorPaper},
-                                 {"barycentric-minimax", nullptr, &kMidVectorMinimax}};
+                                 {"barycentric:fit=minimax", nullptr, &kMidVectorMinimax}};
 
 // Triangles over each other whose corners lie on the grid of 1/256 pixel of pixel_camera(kSide); the normals
 // of each lie in a cone of up to `spread` times 90 degrees.
