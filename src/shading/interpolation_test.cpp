@@ -406,23 +406,33 @@ double nmse_of_spheres(const char* method, int detail) {
   return compare(phong.image, frame.image)->nmse;
 }
 
-// Bounds a little above what was measured; the classes are those of the thesis' Table 4.1.
+// Measured values, a twentieth above and below. The classes are those of the thesis' Table 4.1.
 TEST(interpolation, spheres) {
   constexpr int kDetails[] = {10, 25, 50, 100};
   const struct {
     const char* method;
-    double most[4];
-  } rows[] = {{"gouraud-constant", {0.0045, 0.00025, 0.00003, 0.000005}},
-              {"quadratic", {0.00065, 0.00006, 0.00001, 0.000005}},
-              {"cubic", {0.0001, 0.00005, 0.00001, 0.000005}}};
+    double nmse[4];
+  } rows[] = {{"gouraud-constant", {4.302e-3, 2.295e-4, 2.486e-5, 4.250e-6}},
+              {"quadratic", {6.166e-4, 4.700e-5, 7.087e-6, 2.808e-6}},
+              {"cubic", {8.249e-5, 4.184e-5, 6.736e-6, 2.767e-6}}};
   for (const auto& row : rows) {
     for (int i = 0; i < 4; ++i) {
       const double nmse = nmse_of_spheres(row.method, kDetails[i]);
-      EXPECT_LE(nmse, row.most[i]) << row.method << ", detail " << kDetails[i] << ": " << nmse_class(nmse);
-      const std::string name = std::string(row.method) + "_" + std::to_string(kDetails[i]);
-      RecordProperty(name, std::to_string(nmse * 1e6) + "e-6, " + std::string(nmse_class(nmse)));
+      EXPECT_NEAR(nmse, row.nmse[i], 0.05 * row.nmse[i])
+          << row.method << ", detail " << kDetails[i] << ": " << nmse_class(nmse);
     }
   }
+}
+
+// Table 4.2 says 0.00019 for the surface and 0.00015 for the cubic, at most, of pictures that the thesis does
+// not describe (erratum E68). On its scene these are the values of spheres of about 13 and 8 slices; what is
+// left on fine spheres lies in the rim, where Phong shading turns normals that face away pixel by pixel, and
+// interpolated light is of one side a triangle.
+TEST(interpolation, table_4_2) {
+  EXPECT_GT(nmse_of_spheres("quadratic", 12), 0.00019);
+  EXPECT_LT(nmse_of_spheres("quadratic", 14), 0.00019);
+  EXPECT_NEAR(nmse_of_spheres("cubic", 8), 0.00015, 0.00001);
+  EXPECT_LT(nmse_of_spheres("cubic", 10), 0.0001);
 }
 
 }  // namespace
