@@ -113,6 +113,8 @@ std::optional<Numbers> parse_numbers(const Option& option, std::string_view text
     case Type::path:
     case Type::choice:
     case Type::choices:
+    case Type::method:
+    case Type::methods:
       return Numbers{};
     case Type::optional_number:
       if (text.empty()) return Numbers{};
@@ -276,6 +278,14 @@ Result<Value> parse_value(const Option& option, std::string_view text) {
       if (std::ranges::find(option.choices, part) != option.choices.end()) continue;
       return usage_error(source,
                          "unknown" + did_you_mean(part, option.choices) + " (" + domain(option) + ")");
+    }
+  }
+  if (option.type == Type::method || option.type == Type::methods) {
+    const auto parts = option.type == Type::method ? std::vector{std::string(text)} : split_methods(text);
+    for (const std::string& part : parts) {
+      if (option.type == Type::methods && part == "all") continue;
+      const Result<MethodChoice> choice = choose_method(option.kind, part);
+      if (!choice) return usage_error(source, choice.error().message);
     }
   }
   if (option.type == Type::path && text.empty()) return usage_error(source, "the file name is empty");

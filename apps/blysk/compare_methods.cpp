@@ -10,14 +10,18 @@
 namespace blysk::command {
 namespace {
 
-// Those of --methods in the order of the registry, each once, without the reference.
+// Those of --methods in their order, each once, without the reference.
 std::vector<std::string> candidates_of(const Arguments& arguments) {
-  const std::vector<std::string> wanted = split(arguments.text("methods"), ',');
-  const auto has = [&](std::string_view name) { return std::ranges::find(wanted, name) != wanted.end(); };
   std::vector<std::string> names;
-  for (const Method& method : methods()) {
-    if (method.kind != MethodKind::shading || method.name == arguments.text("reference")) continue;
-    if (has("all") || has(method.name)) names.emplace_back(method.name);
+  const auto add = [&](const std::string& name) {
+    const bool known = std::ranges::find(names, name) != names.end();
+    if (!known && name != arguments.text("reference")) names.push_back(name);
+  };
+  for (const std::string& wanted : split_methods(arguments.text("methods"))) {
+    if (wanted != "all") add(wanted);
+    for (const Method& method : methods()) {
+      if (wanted == "all" && method.kind == MethodKind::shading) add(std::string(method.name));
+    }
   }
   return names;
 }
@@ -34,7 +38,7 @@ Result<Compared> render_method(const std::string& method, const Scene& scene, Re
     times.push_back(frame.statistics.frame_ms);
   }
   Compared picture = compared(method, std::move(frame.image));
-  picture.title = find_method(MethodKind::shading, method)->title;
+  picture.title = choose_method(MethodKind::shading, method)->method->title;
   picture.frame_ms = median(std::move(times));
   return picture;
 }

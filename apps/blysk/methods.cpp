@@ -28,6 +28,48 @@ Status print_table() {
   return print(table(rows));
 }
 
+Json settings_json(const Method& method) {
+  Json rows = Json::array();
+  for (const MethodSetting& setting : method.settings) {
+    Json row = {{"name", setting.name}, {"help", setting.help}};
+    if (setting.choices.empty()) {
+      row.update({{"lowest", setting.lowest}, {"highest", setting.highest}, {"default", setting.initial}});
+    } else {
+      row["choices"] = Json(std::vector<std::string>(setting.choices.begin(), setting.choices.end()));
+      row["default"] = setting.choices[static_cast<std::size_t>(setting.initial)];
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+// "fit=paper|minimax|cubic", the default first.
+std::string values_of(const MethodSetting& setting) {
+  const std::string name(setting.name);
+  if (setting.choices.empty()) {
+    return name + "=" + std::to_string(setting.lowest) + ".." + std::to_string(setting.highest) +
+           ", default " + std::to_string(setting.initial);
+  }
+  std::string text = name + "=" + std::string(setting.choices[static_cast<std::size_t>(setting.initial)]);
+  for (const std::string_view choice : setting.choices) {
+    if (choice != setting.choices[static_cast<std::size_t>(setting.initial)])
+      text += "|" + std::string(choice);
+  }
+  return text;
+}
+
+std::string settings_markdown(MethodKind kind) {
+  std::string text;
+  for (const Method& method : methods()) {
+    for (const MethodSetting& setting : method.settings) {
+      if (method.kind != kind) continue;
+      text += "- `" + std::string(method.name) + ":" + values_of(setting) +
+              "`: " + std::string(setting.help) + "\n";
+    }
+  }
+  return text.empty() ? "" : "\nSettings, the default first:\n\n" + text;
+}
+
 Status print_document() {
   Json rows = Json::array();
   for (const Method& method : methods()) {
@@ -38,7 +80,8 @@ Status print_document() {
                     {"source", method.source},
                     {"reference", method.reference},
                     {"claim", method.claim},
-                    {"limits", method.limits}});
+                    {"limits", method.limits},
+                    {"settings", settings_json(method)}});
   }
   return print_json({{"version", version()}, {"methods", std::move(rows)}});
 }
@@ -48,17 +91,17 @@ Status print_markdown() {
   std::string text =
       "# Methods\n\nEvery method that can be selected, the default of each kind first. This page is what\n"
       "`blysk methods --markdown` prints.\n";
-  std::string_view kind;
-  for (const Method& method : methods()) {
-    if (kind_name(method.kind) != kind) {
-      kind = kind_name(method.kind);
-      text += "\n## --" + std::string(kind) +
-              "\n\n| name | what it does | source | measured against | claim of the source | valid |\n"
-              "|---|---|---|---|---|---|\n";
+  for (const MethodKind kind : kMethodKinds) {
+    text += "\n## --" + std::string(kind_name(kind)) +
+            "\n\n| name | what it does | source | measured against | claim of the source | valid |\n"
+            "|---|---|---|---|---|---|\n";
+    for (const Method& method : methods()) {
+      if (method.kind != kind) continue;
+      text += "| `" + std::string(method.name) + "` | " + std::string(method.title) + " | " +
+              std::string(method.source) + " | " + std::string(method.reference) + " | " +
+              std::string(method.claim) + " | " + std::string(method.limits) + " |\n";
     }
-    text += "| `" + std::string(method.name) + "` | " + std::string(method.title) + " | " +
-            std::string(method.source) + " | " + std::string(method.reference) + " | " +
-            std::string(method.claim) + " | " + std::string(method.limits) + " |\n";
+    text += settings_markdown(kind);
   }
   return print(text);
 }

@@ -8,6 +8,7 @@
 #include "blysk/methods.h"
 #include "blysk/model.h"
 #include "blysk/render.h"
+#include "blysk/study.h"
 #include "subcommands.h"
 #include "text.h"
 
@@ -24,6 +25,18 @@ std::vector<std::string> method_names(MethodKind kind) {
     if (method.kind == kind) names.emplace_back(method.name);
   }
   return names;
+}
+
+// "; quadratic:form=..., segments=..." where methods have settings.
+std::string settings_of(MethodKind kind) {
+  std::string text;
+  for (const Method& method : methods()) {
+    if (method.kind != kind || method.settings.empty()) continue;
+    std::vector<std::string> names;
+    for (const MethodSetting& setting : method.settings) names.push_back(std::string(setting.name) + "=");
+    text += (text.empty() ? "; settings: " : ", ") + std::string(method.name) + ":" + join(names, ",");
+  }
+  return text;
 }
 
 std::vector<std::string> with_all(std::vector<std::string> names) {
@@ -248,6 +261,15 @@ std::vector<Option> material_options() {
        .without = "the file's",
        .example = "64",
        .help = "exponent of the lobe: the higher, the smaller the highlight"},
+      {.name = "opacity",
+       .type = Type::number,
+       .value = "F",
+       .group = Group::material,
+       .low = 0,
+       .high = 1,
+       .without = "the file's",
+       .example = "0.4",
+       .help = "0 is clear, 1 opaque; --antialias none shows everything as opaque"},
       {.name = "crease",
        .type = Type::number,
        .value = "DEG",
@@ -272,37 +294,41 @@ std::vector<Option> material_options() {
 std::vector<Option> method_options() {
   return {
       {.name = "shading",
-       .type = Type::choice,
+       .type = Type::method,
        .value = "METHOD",
        .group = Group::method,
        .choices = method_names(MethodKind::shading),
+       .kind = MethodKind::shading,
        .initial = RenderOptions{}.shading,
        .example = RenderOptions{}.shading,
        .help = "how intensity reaches every pixel of a triangle; blysk methods describes them all"},
       {.name = "lighting",
-       .type = Type::choice,
+       .type = Type::method,
        .value = "MODEL",
        .group = Group::method,
        .users = kDraw,
        .choices = method_names(MethodKind::lighting),
+       .kind = MethodKind::lighting,
        .initial = RenderOptions{}.lighting,
        .example = RenderOptions{}.lighting,
        .help = "how light, normal and view give an intensity"},
       {.name = "lobe",
-       .type = Type::choice,
+       .type = Type::method,
        .value = "NAME",
        .group = Group::method,
        .users = kDraw,
        .choices = method_names(MethodKind::lobe),
+       .kind = MethodKind::lobe,
        .initial = RenderOptions{}.lobe,
        .example = RenderOptions{}.lobe,
        .help = "how highlights fall off"},
       {.name = "antialias",
-       .type = Type::choice,
+       .type = Type::method,
        .value = "METHOD",
        .group = Group::method,
        .users = kDraw,
        .choices = method_names(MethodKind::antialias),
+       .kind = MethodKind::antialias,
        .initial = RenderOptions{}.antialias,
        .example = RenderOptions{}.antialias,
        .help = "how edges are smoothed; none is one sample at each pixel's centre"},
@@ -317,7 +343,7 @@ std::vector<Option> method_options() {
        .help =
            "how normals and colours run across a triangle: perspective-correct, or linear in the picture"},
       {.name = "methods",
-       .type = Type::choices,
+       .type = Type::methods,
        .value = "LIST|all",
        .group = Group::method,
        .users = kCompare,
@@ -326,11 +352,12 @@ std::vector<Option> method_options() {
        .example = "gouraud,flat",
        .help = "render the models with each of these shading methods and compare them with --reference"},
       {.name = "reference",
-       .type = Type::choice,
+       .type = Type::method,
        .value = "METHOD",
        .group = Group::method,
        .users = kCompare,
        .choices = method_names(MethodKind::shading),
+       .kind = MethodKind::shading,
        .initial = RenderOptions{}.shading,
        .example = RenderOptions{}.shading,
        .help = "shading method that the others of --methods are measured against"},
@@ -363,7 +390,7 @@ std::vector<Option> work_options() {
        .type = Type::integer,
        .value = "N",
        .group = Group::work,
-       .users = kDraw | kInfo | kVerify,
+       .users = kDraw | kInfo | kVerify | kReplicate,
        .low = 1,
        .high = 1024,
        .without = "one per processor",
@@ -392,7 +419,7 @@ std::vector<Option> work_options() {
        .type = Type::integer,
        .value = "N",
        .group = Group::work,
-       .users = kDraw | kInfo,
+       .users = kDraw | kInfo | kReplicate,
        .low = 1,
        .high = kExact,
        .initial = std::to_string(Limits{}.max_triangles),
@@ -402,7 +429,7 @@ std::vector<Option> work_options() {
        .type = Type::bytes,
        .value = "BYTES",
        .group = Group::work,
-       .users = kDraw | kInfo,
+       .users = kDraw | kInfo | kReplicate,
        .low = 1,
        .high = kExact,
        .initial = std::to_string(Limits{}.max_memory >> 30) + "G",
@@ -434,15 +461,44 @@ std::vector<Option> report_options() {
        .example = "2",
        .help =
            "pictures of which no channel differs by more count as equal; beside --max-nmse both must hold"},
+      {.name = "study",
+       .type = Type::choice,
+       .value = "NAME",
+       .group = Group::report,
+       .users = kReplicate,
+       .choices = study_names(),
+       .initial = "abuffer",
+       .example = "abuffer",
+       .help = "the experiment: abuffer is the modified A-buffer's policies for full lists and its memory"},
+      {.name = "scenes",
+       .type = Type::choices,
+       .value = "LIST",
+       .group = Group::report,
+       .users = kReplicate,
+       .choices = abuffer_scenes(),
+       .without = "all",
+       .example = "soup-5,grass",
+       .help = "measure in these scenes only"},
+      {.name = "plots",
+       .type = Type::path,
+       .value = "DIR",
+       .group = Group::report,
+       .users = kReplicate,
+       .without = "none",
+       .example = "plots",
+       .help = "write the report's plots into this folder, as SVG; the Markdown shows them"},
       {.name = "print",
        .group = Group::report,
        .users = kVerify,
        .help = "print the table of hashes that this build gives, for its source, and compare nothing"},
       {.name = "json",
        .group = Group::report,
-       .users = kDraw | kInfo | kMethods | kVerify,
+       .users = kDraw | kInfo | kMethods | kVerify | kReplicate,
        .help = "make standard output one JSON document"},
-      {.name = "markdown", .group = Group::report, .users = kMethods | kMan, .help = "print Markdown"},
+      {.name = "markdown",
+       .group = Group::report,
+       .users = kMethods | kMan | kReplicate,
+       .help = "print Markdown"},
       {.name = "quiet",
        .letter = 'q',
        .group = Group::report,
@@ -549,6 +605,17 @@ const std::vector<Subcommand>& subcommands() {
        .examples = {{"methods", "names, titles and sources"},
                     {"methods --json", "every field"},
                     {"methods --markdown", "for a web page"}}},
+      {.name = "replicate",
+       .user = kReplicate,
+       .run = run_replicate,
+       .help = "measure a paper's experiment again: its tables, and a verdict on each of its claims",
+       .operand = "[MODEL...]",
+       .operand_help = "files or built-in shapes to measure besides the study's own scenes",
+       .least = 0,
+       .most = 100,
+       .examples = {{"replicate --study abuffer", "every scene, in a minute or two"},
+                    {"replicate --study abuffer --scenes soup-5 --json", "one scene, for programs"},
+                    {"replicate --study abuffer --markdown --plots plots > report.md", "a page with plots"}}},
       {.name = "verify",
        .user = kVerify,
        .run = run_verify,
@@ -614,6 +681,10 @@ std::string domain(const Option& option) {
       return "";
     case Type::choice:
       return "one of " + join(option.choices, ", ");
+    case Type::method:
+      return "one of " + join(option.choices, ", ") + settings_of(option.kind);
+    case Type::methods:
+      return "some of " + join(option.choices, ", ") + ", comma-separated";
     case Type::choices:
       return "some of " + join(option.choices, ", ") + ", comma-separated";
     case Type::integer:

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "blysk/methods.h"
 #include "blysk/result.h"
 
 namespace blysk::command {
@@ -21,6 +22,8 @@ enum class Type {
   path,             ///< a file name, or "-"
   choice,           ///< one of `choices`
   choices,          ///< several of them, comma-separated
+  method,           ///< NAME[:SETTING=VALUE,...] of `kind`
+  methods,          ///< several of them, comma-separated, or "all"
   integer,          ///< a whole number from `low` to `high`
   number,           ///< a number from `low` to `high`
   optional_number,  ///< a number, or nothing
@@ -50,6 +53,7 @@ enum Users : unsigned {
   kMan = 16,
   kCompletion = 32,
   kCompare = 64,
+  kReplicate = 128,
   kDraw = kRender | kCompare,
 };
 
@@ -63,10 +67,11 @@ struct Option {
   bool repeatable = false;
   double low = 0, high = 0;  ///< domain of numbers, both included
   std::vector<std::string> choices = {};
-  std::string initial = {};       ///< value that holds without the option; empty: see `without`
-  std::string_view without = {};  ///< what happens without the option, in words
-  std::string example = {};       ///< a valid value
-  std::string help = {};          ///< what it does, lower case, no full stop at the end
+  MethodKind kind = MethodKind::shading;  ///< of methods
+  std::string initial = {};               ///< value that holds without the option; empty: see `without`
+  std::string_view without = {};          ///< what happens without the option, in words
+  std::string example = {};               ///< a valid value
+  std::string help = {};                  ///< what it does, lower case, no full stop at the end
 };
 
 /// A command line worth showing, without the leading "blysk ".

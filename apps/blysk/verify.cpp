@@ -58,9 +58,11 @@ std::vector<Check> checks() {
     all.push_back({std::string(name), std::string(line) + std::string(sized ? "" : kSize)});
   }
   for (const Method& method : methods()) {
-    const std::string kind(kind_name(method.kind)), name(method.name);
-    all.push_back({kind + "-" + name,
-                   "shape:trefoil --specular 0.6,0.6,0.6 --" + kind + " " + name + std::string(kSize)});
+    const std::string kind(kind_name(method.kind));
+    for (const std::string& variant : method_variants(method)) {
+      all.push_back({kind + "-" + variant,
+                     "shape:trefoil --specular 0.6,0.6,0.6 --" + kind + " " + variant + std::string(kSize)});
+    }
   }
   return all;
 }

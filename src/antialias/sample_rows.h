@@ -111,6 +111,20 @@ struct RowEdges {
   }
 };
 
+/// The samples of a pixel that the triangle does not cover. `at_samples` is what they add to its edge
+/// functions, in units of 32 subpixels; `column` and `row` count from the first pixel.
+BLYSK_INLINE Mask samples_out(const RowSurface& s, const I32 at_samples[3], int column, int row) {
+  // Samples change an edge function by less than 2^27: what is farther from 0 than 2^30 keeps its sign.
+  constexpr std::int64_t kFar = std::int64_t{1} << 30;
+  I32 signs(0);
+  for (int k = 0; k < 3; ++k) {
+    const std::int64_t center =
+        s.edge[k] + (std::int64_t{row} * s.dx[k] - std::int64_t{column} * s.dy[k]) * kSubpixels;
+    signs = signs | (at_samples[k] + I32(static_cast<std::int32_t>(clamp(center >> 5, -kFar, kFar))));
+  }
+  return signs < I32(0);
+}
+
 /// Draws one triangle's rows.
 class RowPainter {
  public:
@@ -234,16 +248,7 @@ class RowPainter {
 
   // `column` and `row` from the first pixel.
   BLYSK_INLINE void draw_part(int at, int column, int row, float plane, float nearness) {
-    // In units of 32 subpixels samples change an edge function by less than 2^27: what is farther from 0 than
-    // 2^30 keeps its sign.
-    constexpr std::int64_t kFar = std::int64_t{1} << 30;
-    I32 signs(0);
-    for (int k = 0; k < 3; ++k) {
-      const std::int64_t center =
-          s_.edge[k] + (std::int64_t{row} * s_.dx[k] - std::int64_t{column} * s_.dy[k]) * kSubpixels;
-      signs = signs | (at_samples_[k] + I32(static_cast<std::int32_t>(clamp(center >> 5, -kFar, kFar))));
-    }
-    const Mask uncovered = signs < I32(0);
+    const Mask uncovered = samples_out(s_, at_samples_, column, row);
     if (to_bits(uncovered) == kAllSamples) return;
     if (!tile_.is_open(at)) tile_.open_one(at);
     if (any(take(tile_.samples_of(at), uncovered, in_range(slopes_.depths(plane)), I32(s_.id)))) {

@@ -51,10 +51,12 @@ struct SampleBuffers {
   PixelSamples open[kTilePixels + kTileSize];
   static constexpr int place_of(int at) { return at + (at >> kTileBits); }
 
-  // What is left for shading.
-  alignas(64) std::int32_t fragment_id[kMostFragments + kPadding];
-  alignas(64) std::int32_t fragment_place[kMostFragments + kPadding];
-  alignas(64) float fragment_nearness[kMostFragments + kPadding];  ///< at its centroid, if wanted
+  // What is left for shading: room for kMostFragments and, with glass, kMostGlass more; and for kPadding.
+  std::int32_t* fragment_id;
+  std::int32_t* fragment_place;
+  float* fragment_nearness;  ///< at its centroid, if wanted
+  float* fragment_weight;    ///< if `weighted`, how many samples it makes up; else all that it covers
+  bool weighted;
   alignas(64) float sum[4 * kTilePixels];  ///< over a pixel's samples: linear colour times alpha, alpha
   alignas(64) std::int32_t pixel[kTilePixels + kPadding];  ///< those that have fragments
   int fragments, pixels;
@@ -64,9 +66,15 @@ struct SampleBuffers {
   std::uint8_t uncovered[kTilePixels];  ///< samples
 };
 
+struct GlassEntry;
+struct GlassBuffers;
+
 struct SampleJob {
   TileJob tile;
   SampleBuffers* samples;
+  GlassBuffers* glass;  ///< null: nothing is transparent here
+  const GlassEntry* glass_entries;
+  std::size_t glass_count;
   float background[4];  ///< linear colour times alpha, alpha
   bool want_nearness;   ///< of fragments, and in TileBuffers; else both mean nothing
 };

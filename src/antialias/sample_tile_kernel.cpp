@@ -2,6 +2,8 @@
 //
 // Based on: the A-buffer paper, visibility masks; specification A.3. Differs in: masks are not kept with
 // fragments but samples with their surfaces, which is the same (invariant 4) and bounded by itself.
+#include "antialias/glass_compose.h"
+#include "antialias/glass_rows.h"
 #include "antialias/sample_occlusion.h"
 #include "antialias/sample_tile.h"
 #include "geometry/bin_writer.h"
@@ -30,34 +32,6 @@ int count_covered(const TileBuffers& tile) {
   return n;
 }
 
-// What the samples of half a mask add to a fragment's word.
-struct MaskWords {
-  std::uint32_t word[2][256];
-  constexpr MaskWords() : word() {
-    for (unsigned half = 0; half < 2; ++half) {
-      for (unsigned bits = 0; bits < 256; ++bits) {
-        for (unsigned s = 0; s < 8; ++s) {
-          if ((bits >> s & 1) == 0) continue;
-          const unsigned row = half * 2 + s / 4, column = s % 4;
-          word[half][bits] += (1u << kFragmentSamplesShift) + (2 * column << kFragmentColumnsShift) +
-                              (2 * row << kFragmentRowsShift);
-        }
-      }
-    }
-  }
-};
-constexpr MaskWords kMaskWords;
-
-// The mean depth of some samples is the plane's at their centroid.
-float mean_nearness(const float* nearness, unsigned mask) {
-  float v[kSamples];
-  store(select(lanes_of(mask), load(nearness), F32(0.0f)), v);
-  for (int half = kSamples / 2; half > 0; half /= 2) {
-    for (int i = 0; i < half; ++i) v[i] = v[i] + v[i + half];
-  }
-  return v[0] / static_cast<float>(__builtin_popcount(mask));
-}
-
 // Writes the fragment of the first of `rest`, and lets it count if it `is` there; what is left of `rest`.
 template <bool kCenters>
 BLYSK_INLINE unsigned write_fragment(SampleBuffers& s, int at, unsigned rest, bool is, int& uncovered) {
@@ -65,9 +39,8 @@ BLYSK_INLINE unsigned write_fragment(SampleBuffers& s, int at, unsigned rest, bo
   const std::int32_t id = pixel.id[__builtin_ctz(rest | 1u << (kSamples - 1))];
   const unsigned same = to_bits(load(pixel.id) == I32(id));
   s.fragment_id[s.fragments] = id;
-  s.fragment_place[s.fragments] = static_cast<std::int32_t>(
-      static_cast<unsigned>(at) + kMaskWords.word[0][same & 255] + kMaskWords.word[1][same >> 8]);
-  if constexpr (kCenters) s.fragment_nearness[s.fragments] = mean_nearness(pixel.nearness, same);
+  s.fragment_place[s.fragments] = fragment_word(at, same);
+  if constexpr (kCenters) s.fragment_nearness[s.fragments] = mean_nearness(load(pixel.nearness), same);
   s.fragments += static_cast<int>(is & (id != kNoSurface));
   uncovered += id == kNoSurface ? __builtin_popcount(same) : 0;
   return rest & ~same;
@@ -84,6 +57,7 @@ void collect(const SampleJob& job) {
       const int block = row * kTileSize + column;
       const I32 many(static_cast<std::int32_t>(kManySurfaces));
       unsigned open = to_bits(load(job.tile.buffers->id + block) == many);
+      if (job.glass != nullptr) open &= to_bits(load(job.glass->first + block) < I32(0));
       for (; open != 0; open &= open - 1) {
         const int at = block + __builtin_ctz(open);
         const PixelSamples& pixel = s.open[at + (at >> kTileBits)];
@@ -194,7 +168,10 @@ int rasterize(const SampleJob& job) {
   }
   clear_once();
   job.samples->fragments = job.samples->pixels = 0;
+  job.samples->weighted = job.glass != nullptr;
+  if (job.glass != nullptr) draw_glass(job, tile);
   if (tile.any_open) collect<kCenters>(job);
+  if (job.glass != nullptr) compose_glass<kCenters>(job, tile);
   const int covered = filled ? kTilePixels : count_covered(*of.buffers);
   if (covered < kTilePixels) fill_background(of);
   return covered;

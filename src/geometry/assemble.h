@@ -24,6 +24,7 @@ struct AssembleJob {
   int tiles_x;
   DropArea drop;
   Sampling sampling;  ///< triangles that miss all of these go
+  bool transparent;   ///< of Sampling::samples: the triangles go to lists of their own
   ThreadBins* owner;  ///< of the lists
   Bin* bins;          ///< owner->bins()
 

@@ -131,14 +131,15 @@ BLYSK_INLINE void bin_small(const AssembleJob& job, const Triangles& t, unsigned
   store(shift_right<kTileBits>(t.bottom), bottom);
   for (; which != 0; which &= which - 1) {
     const int k = __builtin_ctz(which);
-    const Stream stream = (away >> k & 1) != 0 ? Stream::small_away : Stream::small;
+    const Stream facing = (away >> k & 1) != 0 ? Stream::small_away : Stream::small;
+    const Stream stream = job.transparent ? Stream::glass_small : facing;
     const SmallEntry entry{static_cast<std::uint32_t>(id[k]),
                            {static_cast<std::uint32_t>(v0[k]), static_cast<std::uint32_t>(v1[k]),
                             static_cast<std::uint32_t>(v2[k])}};
     for (int ty = top[k]; ty <= bottom[k]; ++ty) {
       for (int tx = left[k]; tx <= right[k]; ++tx) {
-        append(*job.owner,
-               job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx), stream)], entry);
+        append(*job.owner, job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx), stream)],
+               entry);
       }
     }
   }

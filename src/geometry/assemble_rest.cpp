@@ -133,7 +133,8 @@ bool bin_large(AssembleJob& job, LargeEntry e) {
       if (outside(e, 1, 2, x0, y0, x1, y1) || outside(e, 2, 0, x0, y0, x1, y1) ||
           outside(e, 0, 1, x0, y0, x1, y1))
         continue;
-      Bin& bin = job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx), Stream::large)];
+      Bin& bin = job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx),
+                                    job.transparent ? Stream::glass_large : Stream::large)];
       if (static_cast<std::size_t>(bin.end - bin.cursor) < sizeof e) job.owner->grow(bin);
       std::memcpy(bin.cursor, &e, sizeof e);
       bin.cursor += sizeof e;

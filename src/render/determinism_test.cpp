@@ -89,7 +89,8 @@ Scene instances_of(const char* text) {
 std::vector<std::string> shadings() {
   std::vector<std::string> names;
   for (const Method& m : methods()) {
-    if (m.kind == MethodKind::shading) names.emplace_back(m.name);
+    if (m.kind != MethodKind::shading) continue;
+    for (const std::string& variant : method_variants(m)) names.push_back(variant);
   }
   return names;
 }

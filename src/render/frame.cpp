@@ -4,7 +4,6 @@
 #include <cmath>
 #include <span>
 
-#include "blysk/methods.h"
 #include "lighting/set_lobe.h"
 #include "math/srgb.h"
 
@@ -35,11 +34,9 @@ Status check(const RenderOptions& o) {
                                                               {MethodKind::lighting, &o.lighting},
                                                               {MethodKind::lobe, &o.lobe},
                                                               {MethodKind::antialias, &o.antialias}};
-  for (const auto& [kind, name] : chosen) {
-    if (find_method(kind, *name) == nullptr) {
-      return failure(ErrorCode::usage,
-                     "there is no " + std::string(kind_name(kind)) + " method called " + *name);
-    }
+  for (const auto& [kind, text] : chosen) {
+    const Result<MethodChoice> choice = choose_method(kind, *text);
+    if (!choice) return choice.error();
   }
   return Done{};
 }
@@ -103,6 +100,13 @@ Surface make_surface(const Material& m, std::span<const Light> lights, const Ren
               {light.color.x * m.specular.x, light.color.y * m.specular.y, light.color.z * m.specular.z});
   }
   return s;
+}
+
+// Where pixels are sampled; one sample shows everything as opaque.
+float opacity_of(const Material& m) {
+  if (m.alpha_mode == AlphaMode::opaque) return 1;
+  if (m.alpha_mode == AlphaMode::mask) return m.opacity >= m.alpha_cutoff ? 1 : 0;
+  return m.opacity > 0 ? std::min(m.opacity, 1.0f) : 0.0f;
 }
 
 DropArea drop_area(const Material& m, const Mat4& transform, Cull cull) {
@@ -185,7 +189,9 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
   }
 
   plan.draws.clear();
+  plan.glass = false;
   plan.vertices = plan.triangles = 0;
+  plan.shading = *choose_method(MethodKind::shading, options.shading);
   plan.background = pack_background(options.background);
   plan.linear_background = linear_background(options.background, options.transfer);
   plan.sampling = options.antialias == "none" ? Sampling::centers : Sampling::samples;
@@ -208,6 +214,9 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
       return failure(ErrorCode::limit, "the scene has more triangles or vertices than the limits allow (" +
                                            std::to_string(options.limits.max_triangles) + " triangles)");
     }
+    if (plan.sampling == Sampling::samples) p.opacity = opacity_of(material);
+    plan.glass = plan.glass || (p.opacity > 0 && p.opacity < 1);
+    if (p.opacity == 0) p.triangles = 0;  // they keep their ids
     plan.draws.push_back(p);
   }
   return Done{};

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "blysk/methods.h"
 #include "blysk/render.h"
 #include "geometry/assemble.h"
 #include "render/view.h"
@@ -15,6 +16,7 @@ struct DrawPlan {
   Draw draw;
   std::size_t vertices = 0, triangles = 0;
   DropArea drop = DropArea::none;
+  float opacity = 1;  ///< below 1 it is transparent; only where pixels are sampled
 };
 
 struct FramePlan {
@@ -24,7 +26,9 @@ struct FramePlan {
   std::uint32_t background = 0;  ///< RGBA8
   Vec4f linear_background;       ///< linear colour times alpha, alpha
   Sampling sampling = Sampling::centers;
-  bool want_nearness = false;    ///< of pixels: for point lights or a picture of depths
+  bool glass = false;          ///< any draw is transparent
+  bool want_nearness = false;  ///< of pixels: for point lights or a picture of depths
+  MethodChoice shading;
 };
 
 /// Checks the options and fills `plan` (its memory is reused).

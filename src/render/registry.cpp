@@ -7,6 +7,30 @@
 namespace blysk {
 namespace {
 
+// The kernels know choices by their index: enums of the same order stand where a method reads its settings.
+constexpr std::string_view kFastNormalizeFits[] = {"paper", "minimax", "cubic"};
+constexpr MethodSetting kFastNormalizeSettings[] = {
+    {"fit", "polynomial: the paper's, the best parabola, a cubic that is exact on flat faces",
+     kFastNormalizeFits}};
+
+constexpr std::string_view kBarycentricFits[] = {"paper", "minimax"};
+constexpr MethodSetting kBarycentricSettings[] = {
+    {"fit", "parabola of the edges' vectors: the paper's, the best for corners up to 45 deg apart",
+     kBarycentricFits}};
+
+constexpr std::string_view kQuadraticForms[] = {"horner", "direct", "step",        "pair",
+                                                "triple", "values", "values-shift"};
+constexpr std::string_view kQuadraticSegments[] = {"1", "2", "4", "8", "16", "32", "64"};
+constexpr MethodSetting kQuadraticSettings[] = {
+    {"form", "formula of a row: (2.9), (2.2), (2.3), (2.5), (2.7), (2.8), (2.8) without multiplication",
+     kQuadraticForms},
+    {"segments", "pixels between which a row is a straight line", kQuadraticSegments}};
+
+constexpr std::string_view kCubicThirds[] = {"exact", "shift", "printed"};
+constexpr MethodSetting kCubicSettings[] = {
+    {"third", "1/3: exact, 43/128 by shifts, the same in the printed formulas (wrong by up to 27 %)",
+     kCubicThirds}};
+
 constexpr Method kMethods[] = {
     {MethodKind::shading, "phong", "Normals interpolated, lit at every pixel", "Phong 1975; thesis 3.3", "",
      "", "everywhere; opposite normals face the viewer"},
@@ -19,35 +43,29 @@ constexpr Method kMethods[] = {
      "1.7 times as fast as an increment for each row",
      "as gouraud; linear on the screen, without perspective"},
     {MethodKind::shading, "quadratic", "Second-order surface through the light of six points",
-     "thesis 2.1, (2.2), (2.9)", "phong", "NMSE <= 0.00019; additions alone per pixel",
+     "thesis 2.1, (2.2) to (2.9)", "phong", "NMSE <= 0.00019; additions alone per pixel",
      "within 1/255 of phong while triangle side (rad) * sqrt(shininess) <= 0.66; triangles under six pixels "
-     "are lit pixel by pixel"},
+     "are lit pixel by pixel",
+     kQuadraticSettings},
     {MethodKind::shading, "cubic", "Cubic polynomial through the light of four points of a row",
      "thesis 2.2; 5.2 of the specification", "phong", "NMSE <= 0.00015; three additions per pixel",
      "within 1/255 of phong while row (rad) * sqrt(shininess) <= 1.05; rows under five pixels "
-     "are lit pixel by pixel"},
-    {MethodKind::shading, "fast-normalize", "Phong without root or division: normals made unit by a parabola",
+     "are lit pixel by pixel",
+     kCubicSettings},
+    {MethodKind::shading, "fast-normalize",
+     "Phong without root or division: normals made unit by a polynomial in their squared length",
      "relief thesis, formula (1)", "phong", "length error 0.36 %; 8 times better than Lyon's (3 - K)/2",
-     "corner normals up to 75.6 deg apart, beyond by the root; lengths 0.3509 % off, 0.3 % too long on flat "
-     "faces: "
-     "highlights gain 1.003^n; perspective interpolation costs a division a pixel"},
-    {MethodKind::shading, "fast-normalize-minimax", "fast-normalize with the best possible parabola",
-     "relief thesis, formula (1); own coefficients", "phong", "",
-     "as fast-normalize; lengths 0.3215 % off, flat faces too"},
-    {MethodKind::shading, "fast-normalize-cubic", "fast-normalize with a cubic that is exact on flat faces",
-     "relief thesis, formula (1); own polynomial", "phong", "",
-     "as fast-normalize; lengths 0.0544 % off, flat faces 0"},
+     "corner normals up to 75.6 deg apart, beyond by the root; lengths at most 0.3509 % off (minimax 0.3215, "
+     "cubic 0.0544), on flat faces 0.3 % (minimax 0.3, cubic 0): highlights gain 1.003^n; perspective "
+     "interpolation costs a division a pixel",
+     kFastNormalizeSettings},
     {MethodKind::shading, "barycentric", "Normals as a quadratic form of six vectors, nothing made unit",
      "relief thesis, vectors at any point of a triangle", "phong",
      "length error 0.36 % of the edges' vectors",
-     "corner normals up to 90 deg apart, beyond by the root; edges' vectors 0.4 % off, lengths 10.7 % at 90 "
-     "deg; "
-     "perspective interpolation costs a division a pixel"},
-    {MethodKind::shading, "barycentric-minimax",
-     "barycentric with edges' vectors of the best possible parabola",
-     "relief thesis, vectors at any point of a triangle; own coefficients", "phong", "",
-     "corner normals up to 45 deg apart, beyond by the root; edges' vectors 0.0039 % off, lengths 0.44 % at "
-     "45 deg"},
+     "corner normals up to 90 deg apart (minimax 45), beyond by the root; edges' vectors 0.4 % off (minimax "
+     "0.0039), lengths 10.7 % at 90 deg (minimax 0.44 % at 45); perspective interpolation costs a division a "
+     "pixel",
+     kBarycentricSettings},
     {MethodKind::lighting, "blinn", "Specular term by N.H", "Blinn 1977; thesis 2.1", "", "",
      "L + V not zero"},
     {MethodKind::lighting, "phong", "Specular term by R.V", "Phong 1975; thesis (2.1)", "", "", "everywhere"},

@@ -9,6 +9,7 @@
 #include "core/threads.h"
 #include "render/frame.h"
 #include "render/kernels.h"
+#include "render/sample_memory.h"
 
 namespace blysk {
 namespace {
@@ -39,27 +40,13 @@ struct Chunk {
 struct Worker {
   ThreadBins bins;
   std::unique_ptr<TileBuffers> tile = std::make_unique<TileBuffers>();
-  std::unique_ptr<SampleBuffers> samples;  ///< once a frame is antialiased
+  SampleMemory samples;
   std::vector<std::uint32_t> rest;
   std::vector<float> normals;
   std::vector<std::uint8_t> seen_draws;
   bool blank = false;  ///< `tile` is clear: the last tile had nothing in it
-  std::uint64_t culled = 0, drawn = 0, covered = 0, fragments = 0, shared_pixels = 0;
+  std::uint64_t culled = 0, drawn = 0, covered = 0;
 };
-
-// Of pixels with fragments, the nearest sample stands for the pixel where one surface has to.
-void show_nearest(const SampleBuffers& samples, TileBuffers& pixels) {
-  for (int i = 0; i < samples.pixels; ++i) {
-    const int at = samples.pixel[i];
-    const auto& [nearness, id] = samples.open[SampleBuffers::place_of(at)];
-    int best = 0;
-    for (int s = 1; s < kSamples; ++s) {
-      if (nearness[s] > nearness[best] || (nearness[s] == nearness[best] && id[s] < id[best])) best = s;
-    }
-    pixels.nearness[at] = std::clamp(nearness[best], 0.0f, 1.0f);
-    pixels.id[at] = static_cast<std::uint32_t>(id[best]);
-  }
-}
 
 }  // namespace
 
@@ -84,7 +71,6 @@ struct Renderer::State {
   void draw_tiles(const RenderOptions& options, int tiles_x, std::size_t tiles, Frame& frame);
   void draw_tile(Worker& worker, const RenderOptions& options, int tiles_x, std::size_t tile,
                  ShadeFunction shade, Frame& frame);
-  int rasterize(Worker& worker, const TileJob& job);
   void shade_draws(Worker& worker, ShadeJob& job, ShadeFunction function);
   [[nodiscard]] std::uint64_t memory_of_vertices() const { return plan.vertices * sizeof(ScreenVertex); }
   [[nodiscard]] std::uint64_t memory() const;
@@ -114,10 +100,8 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
   for (Worker& w : workers) {
     w.bins.reset(tiles, room);
     w.rest.resize(kChunkTriangles + 16);
-    w.culled = w.drawn = w.covered = w.fragments = w.shared_pixels = 0;
-    if (plan.sampling == Sampling::samples && !w.samples) {
-      w.samples = std::make_unique_for_overwrite<SampleBuffers>();
-    }
+    w.culled = w.drawn = w.covered = 0;
+    if (plan.sampling == Sampling::samples) w.samples.prepare(plan.glass);
     w.blank = false;  // the background may have changed
   }
   cut(&DrawPlan::triangles, kChunkTriangles);
@@ -137,6 +121,7 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
     job.tiles_x = tiles_x;
     job.drop = p.drop;
     job.sampling = plan.sampling;
+    job.transparent = p.opacity < 1;
     job.owner = &w.bins;
     job.bins = w.bins.bins();
     job.rest = w.rest.data();
@@ -145,12 +130,6 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
     w.culled += job.culled;
     w.drawn += job.drawn;
   });
-}
-
-int Renderer::State::rasterize(Worker& worker, const TileJob& job) {
-  if (plan.sampling == Sampling::centers) return table.rasterize(job);
-  const Vec4f& b = plan.linear_background;
-  return table.rasterize_samples({job, worker.samples.get(), {b.x, b.y, b.z, b.w}, plan.want_nearness});
 }
 
 // Runs `function` for every draw that has a pixel in the tile.
@@ -203,7 +182,11 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
     const Bin* of_tile = lists + bin_index(tile, Stream::dot);
     return std::all_of(of_tile, of_tile + kStreams, [](const Bin& bin) { return bin.first == nullptr; });
   });
-  const int covered = empty && worker.blank ? 0 : rasterize(worker, job);
+  const bool sampled = plan.sampling == Sampling::samples;
+  int covered = 0;
+  if (!empty || !worker.blank) {
+    covered = sampled ? worker.samples.rasterize(table, plan, job) : table.rasterize(job);
+  }
   worker.blank = empty;
   worker.covered += static_cast<std::uint64_t>(covered);
 
@@ -212,20 +195,19 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
                    width,
                    height,
                    &buffers,
-                   plan.sampling == Sampling::samples ? worker.samples.get() : nullptr,
+                   sampled ? worker.samples.buffers() : nullptr,
                    nullptr,
                    vertices.data(),
                    nullptr,
                    &plan.view.rays,
                    options.interpolation == Interpolation::screen,
-                   options.transfer};
+                   options.transfer,
+                   plan.shading.values.data()};
   if (covered > 0) shade_draws(worker, shading, shade);
-  if (covered > 0 && shading.samples != nullptr) {
-    worker.fragments += static_cast<std::uint64_t>(shading.samples->fragments);
-    worker.shared_pixels += static_cast<std::uint64_t>(shading.samples->pixels);
+  if (covered > 0 && sampled) {
     if (shading.samples->pixels > 0) table.resolve_samples({&buffers, shading.samples, options.transfer});
     shading.samples = nullptr;
-    if (options.want_depth || options.want_normal || options.want_id) show_nearest(*worker.samples, buffers);
+    if (options.want_depth || options.want_normal || options.want_id) worker.samples.show_nearest(buffers);
   }
   if (options.want_normal) {
     worker.normals.assign(3 * kTilePixels, 0.0f);
@@ -255,7 +237,7 @@ void Renderer::State::draw_tiles(const RenderOptions& options, int tiles_x, std:
   for (Worker& w : workers) bin_lists.push_back(w.bins.bins());
   ShadeFunction shade = nullptr;
   for (int i = 0; i < table.shadings_count; ++i) {
-    if (table.shadings[i].name == options.shading) shade = table.shadings[i].shade;
+    if (table.shadings[i].name == plan.shading.method->name) shade = table.shadings[i].shade;
   }
   pool.for_each(tiles, [&](int worker, std::size_t tile) {
     draw_tile(workers[static_cast<std::size_t>(worker)], options, tiles_x, tile, shade, frame);
@@ -266,7 +248,7 @@ std::uint64_t Renderer::State::memory() const {
   std::uint64_t n = vertices.capacity() * sizeof(ScreenVertex) + chunks.capacity() * sizeof(Chunk) +
                     plan.draws.capacity() * sizeof(DrawPlan);
   for (const Worker& w : workers) {
-    n += w.bins.memory() + sizeof(TileBuffers) + (w.samples ? sizeof(SampleBuffers) : 0) +
+    n += w.bins.memory() + sizeof(TileBuffers) + w.samples.bytes() +
          w.rest.capacity() * sizeof(std::uint32_t) + w.normals.capacity() * sizeof(float);
   }
   return n;
@@ -305,12 +287,17 @@ Status Renderer::State::render(const Scene& scene, const RenderOptions& options,
   FrameStatistics& s = frame.statistics;
   s = {};
   s.triangles_in = plan.triangles;
-  for (const Worker& w : workers) {
+  for (Worker& w : workers) {
     s.triangles_culled += w.culled;
     s.triangles_drawn += w.drawn;
     s.pixels_covered += w.covered;
-    s.fragments_shaded += w.fragments;
-    s.pixels_shared += w.shared_pixels;
+    if (plan.sampling == Sampling::centers) continue;
+    const SampleCounts& c = w.samples.counts();
+    s.fragments_shaded += c.fragments;
+    s.pixels_shared += c.shared_pixels;
+    s.layers_generated += c.layers;
+    s.layers_merged += c.merged_layers;
+    s.pixels_merged += c.merged_pixels;
   }
   s.memory_bytes = memory();
   s.geometry_ms = ms_between(start, assembled);

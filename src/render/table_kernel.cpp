@@ -13,10 +13,7 @@ constexpr ShadingKernel kShadings[] = {
     {"quadratic", shade_quadratic},
     {"cubic", shade_cubic},
     {"fast-normalize", shade_fast_normalize},
-    {"fast-normalize-minimax", shade_fast_normalize_minimax},
-    {"fast-normalize-cubic", shade_fast_normalize_cubic},
     {"barycentric", shade_barycentric},
-    {"barycentric-minimax", shade_barycentric_minimax},
 };
 }
 

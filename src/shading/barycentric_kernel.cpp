@@ -83,9 +83,14 @@ struct Barycentric {
 
 }  // namespace
 
-void shade_barycentric(const ShadeJob& job) { shade_draw<Barycentric<kMidVectorPaper>, ColorSink>(job); }
-void shade_barycentric_minimax(const ShadeJob& job) {
-  shade_draw<Barycentric<kMidVectorMinimax>, ColorSink>(job);
+void shade_barycentric(const ShadeJob& job) {
+  enum class Fit { paper, minimax };
+  switch (static_cast<Fit>(job.settings[0])) {
+    case Fit::paper:
+      return shade_draw<Barycentric<kMidVectorPaper>, ColorSink>(job);
+    case Fit::minimax:
+      return shade_draw<Barycentric<kMidVectorMinimax>, ColorSink>(job);
+  }
 }
 
 }  // namespace blysk::BLYSK_ISA

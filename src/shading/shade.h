@@ -47,6 +47,7 @@ struct ShadeJob {
   const ViewRays* rays;
   bool screen_linear;  ///< attributes are interpolated without perspective, as the papers do
   Transfer transfer;
+  const int* settings;  ///< of the shading method: MethodChoice::values
 };
 
 /// Shades the pixels of the tile whose triangle belongs to job.draw.

@@ -57,10 +57,10 @@ struct ColorSink {
   }
   /// Adds fragments to the sums of their pixels. A sample shows no more than white, as a pixel does.
   static BLYSK_INLINE void blend(const ShadeJob& job, const std::int32_t* place, int count,
-                                 const Rgb<F32Wide>& c) {
-    const F32Wide one(1.0f), samples = to_float(fragment_samples(load_wide(place)));
+                                 const Rgb<F32Wide>& c, F32Wide weight) {
+    const F32Wide one(1.0f);
     float row[4 * kWideLanes];
-    store_rows(min(c.x, one) * samples, min(c.y, one) * samples, min(c.z, one) * samples, samples, row);
+    store_rows(min(c.x, one) * weight, min(c.y, one) * weight, min(c.z, one) * weight, weight, row);
     for (int i = 0; i < count; ++i) {
       float* sum = job.samples->sum + 4 * (place[i] & (kTilePixels - 1));
       for (int k = 0; k < 4; ++k) sum[k] += row[4 * i + k];
@@ -70,12 +70,21 @@ struct ColorSink {
 
 /// Pixels or fragments that wait until they fill the lanes. `at` is a pixel or a fragment's word.
 struct Strays {
-  std::int32_t triangle[kWideLanes + kLanes], at[kWideLanes + kLanes], nearness[kWideLanes + kLanes];
+  std::int32_t triangle[kWideLanes + kLanes], at[kWideLanes + kLanes], nearness[kWideLanes + kLanes],
+      weight[kWideLanes + kLanes];
   int count = 0;
 };
 
 /// Below this many pixels a run they are gathered: a span's set-up costs as much as a few gathered pixels.
-inline constexpr int kSpanPixels = 12;
+/// Methods with a costly set-up, which gathered pixels repeat, have a kSpanPixels of their own.
+template <class Method>
+constexpr int span_pixels() {
+  if constexpr (requires { Method::kSpanPixels; }) {
+    return Method::kSpanPixels;
+  } else {
+    return 12;
+  }
+}
 
 /// Pixel centres in subpixels.
 template <int kRegisters>
@@ -90,7 +99,9 @@ class DrawShader {
   explicit BLYSK_INLINE DrawShader(const ShadeJob& job)
       : job_(job),
         first_id_(static_cast<std::int32_t>(job.draw->id_base)),
-        last_id_(static_cast<std::int32_t>(job.draw->id_base + job.draw->id_count - 1)) {}
+        last_id_(static_cast<std::int32_t>(job.draw->id_base + job.draw->id_count - 1)) {
+    for (std::int32_t& index : known_) index = -1;
+  }
 
   BLYSK_INLINE void shade() {
     for (int row = 0; row < job_.height; ++row) {
@@ -102,12 +113,17 @@ class DrawShader {
   }
 
  private:
+  using Triangle = typename Method::template Triangle<float>;
+  static constexpr int kKept = 16;
+
   BLYSK_INLINE void shade_fragments() {
     of_fragments_ = true;
     const SampleBuffers& s = *job_.samples;
     for (int i = 0; i < s.fragments; i += kLanes) {
       const I32 id = load(s.fragment_id + i);
       const Mask mine = (id >= first_id_) & (id <= last_id_) & lanes_below(s.fragments - i);
+      if (s.weighted)
+        store_compressed(mine, bits_of(load(s.fragment_weight + i)), strays_.weight + strays_.count);
       gather_strays(mine, id, load(s.fragment_place + i), load(s.fragment_nearness + i));
     }
     flush_strays();
@@ -123,7 +139,7 @@ class DrawShader {
     if (mine == 0) return kLanes;
     // The last pixels of runs, in this block of sixteen.
     const unsigned ends = mine & (to_bits(id != load(job_.buffers->id + at + 1)) | 1u << (kLanes - 1));
-    if (__builtin_popcount(ends) * kSpanPixels > __builtin_popcount(mine)) {
+    if (__builtin_popcount(ends) * span_pixels<Method>() > __builtin_popcount(mine)) {
       gather_strays(lanes_of(mine), id, iota(at), load(job_.buffers->nearness + at));
       return kLanes;
     }
@@ -144,19 +160,22 @@ class DrawShader {
            to_bits(load(job_.buffers->id + at + kLanes) == same) == (1u << kLanes) - 1;
   }
 
-  BLYSK_INLINE void set_up(int at) {
+  BLYSK_INLINE const Triangle& set_up(int at) {
     const auto index = static_cast<std::int32_t>(job_.buffers->id[at] - job_.draw->id_base);
-    if (index == known_) return;
-    triangle_ = Method::template set_up_triangle<float>(job_, index);
-    known_ = index;
+    const int place = index & (kKept - 1);
+    if (index != known_[place]) {
+      triangles_[place] = Method::template set_up_triangle<float>(job_, index);
+      known_[place] = index;
+    }
+    return triangles_[place];
   }
 
   BLYSK_INLINE void shade_wide(int at, int column, float y) {
-    set_up(at);
+    const Triangle& triangle = set_up(at);
     const F32Wide x = centers(iota<kWideParts>(job_.x + column));
     const F32Wide nearness = load_wide(job_.buffers->nearness + at);
     Sink::whole(job_, at,
-                Method::shade(job_, triangle_, Method::set_up_span(job_, triangle_, y), x, y, nearness));
+                Method::shade(job_, triangle, Method::set_up_span(job_, triangle, y), x, y, nearness));
   }
 
   BLYSK_INLINE void shade_runs(int at, int column, float y, unsigned mine, unsigned ends) {
@@ -164,10 +183,10 @@ class DrawShader {
     const F32 nearness = load(job_.buffers->nearness + at);
     for (unsigned left = mine; left != 0;) {
       const unsigned run = left & ((2u << __builtin_ctz(ends & left)) - 1);
-      set_up(at + __builtin_ctz(left));
+      const Triangle& triangle = set_up(at + __builtin_ctz(left));
       left &= ~run;
-      const auto span = Method::set_up_span(job_, triangle_, y);
-      Sink::row(job_, at, lanes_of(run), Method::shade(job_, triangle_, span, x, y, nearness));
+      const auto span = Method::set_up_span(job_, triangle, y);
+      Sink::row(job_, at, lanes_of(run), Method::shade(job_, triangle, span, x, y, nearness));
     }
   }
 
@@ -181,6 +200,7 @@ class DrawShader {
     store(load(strays_.triangle + kWideLanes), strays_.triangle);
     store(load(strays_.at + kWideLanes), strays_.at);
     store(load(strays_.nearness + kWideLanes), strays_.nearness);
+    store(load(strays_.weight + kWideLanes), strays_.weight);
   }
 
   BLYSK_INLINE void flush_strays() {
@@ -210,7 +230,9 @@ class DrawShader {
     const F32Wide nearness = float_of_bits(load_wide(strays_.nearness));
     const auto color = Method::shade(job_, triangle, span, x, y, nearness);
     if (of_fragments_) {
-      Sink::blend(job_, strays_.at, count, color);
+      const F32Wide weight =
+          job_.samples->weighted ? float_of_bits(load_wide(strays_.weight)) : to_float(fragment_samples(at));
+      Sink::blend(job_, strays_.at, count, color, weight);
     } else {
       Sink::scatter(job_, strays_.at, count, color);
     }
@@ -218,8 +240,9 @@ class DrawShader {
 
   const ShadeJob& job_;
   const I32 first_id_, last_id_;
-  typename Method::template Triangle<float> triangle_;
-  std::int32_t known_ = -1;  // the triangle that triangle_ was set up for
+  // Triangles come back row after row: the last ones stay set up, one of each remainder.
+  Triangle triangles_[kKept];
+  std::int32_t known_[kKept];
   Strays strays_;
   bool of_fragments_ = false;  // they are taken from job_.samples
 };

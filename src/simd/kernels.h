@@ -17,6 +17,7 @@ struct TileBuffers;
 struct TileJob;
 struct ShadeJob;
 struct SampleJob;
+struct GlassLayer;
 struct ResolveJob;
 
 namespace BLYSK_ISA {
@@ -28,10 +29,7 @@ int rasterize_samples(const SampleJob& job);
 void resolve_samples(const ResolveJob& job);
 void store_tile(const TileBuffers& tile, int width, int rows, std::uint32_t* to, std::size_t stride);
 void shade_barycentric(const ShadeJob& job);
-void shade_barycentric_minimax(const ShadeJob& job);
 void shade_fast_normalize(const ShadeJob& job);
-void shade_fast_normalize_cubic(const ShadeJob& job);
-void shade_fast_normalize_minimax(const ShadeJob& job);
 void shade_flat(const ShadeJob& job);
 void shade_gouraud(const ShadeJob& job);
 void shade_gouraud_constant(const ShadeJob& job);
