@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "shading/normals_reference.h"
+
 namespace blysk::reference {
 
 double chebyshev_u(int k, double c) {
@@ -108,6 +110,16 @@ Vec3d arc(Vec3d a, Vec3d b, double u) {
   const double e1 = z * z * (even[4] + z * even[5]);
   const double o0 = z * (odd[0] + z * (odd[1] + z * odd[2])), o1 = z * z * odd[3];
   return (b + a) * (0.5 + e * (e0 + e * e1)) + (b - a) * (t * (0.5 + e * (o0 + e * o1)));
+}
+
+Vec3d between(Between form, Vec3d a, Vec3d b) {
+  const double c = dot(a, b);
+  if (form == Between::half_sum && c >= kLowestHalfSum) return (a + b) * 0.5;
+  if (form == Between::paper && c >= kMidVectorPaper.lowest) return mid_vector(kMidVectorPaper, a, b) * 0.25;
+  if (form == Between::minimax && c >= kMidVectorMinimax.lowest) {
+    return mid_vector(kMidVectorMinimax, a, b) * 0.25;
+  }
+  return (a + b) * (1 / std::sqrt(2 + 2 * c));
 }
 
 Matrix9 matrix_block(RowMaker make, Vec3d n00, Vec3d n80, Vec3d n08, Vec3d n88) {

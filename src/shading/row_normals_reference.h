@@ -1,5 +1,6 @@
 // shading/row_normals_reference.h - unit vectors between two, of rows and of triangles, as the per-fragment
-// paper's specification writes them (A-buffer specification, part C), in double precision.
+// paper's and the relief thesis' specifications write them, in double precision. Sections are those of the
+// A-buffer specification, part C, unless said otherwise.
 #pragma once
 
 #include <array>
@@ -36,6 +37,11 @@ double series_weight(double u, double d, int terms, double mu);
 Vec3d slerp(Vec3d a, Vec3d b, double u);
 /// By kArcFit; arcs of more than 90 degrees halved first. d of a and b not under kLowestArc.
 Vec3d arc(Vec3d a, Vec3d b, double u);
+
+/// The vector between two neighbours (specification of relief and texturing, 2.6). Too far apart for the form:
+/// the exact one.
+enum class Between { exact, paper, minimax, half_sum };
+Vec3d between(Between form, Vec3d a, Vec3d b);
 
 /// A row of nine from its ends, whatever makes it.
 using RowMaker = Row9 (*)(Vec3d a, Vec3d b);
