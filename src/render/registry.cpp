@@ -32,6 +32,11 @@ constexpr MethodSetting kDichotomySettings[] = {
      "as half the sum",
      kDichotomyForms}};
 
+constexpr std::string_view kTextureNodes[] = {"17", "9"}, kTextureTexels[] = {"4", "2", "1"};
+constexpr MethodSetting kLightingTextureSettings[] = {
+    {"nodes", "points of an edge on the finest level", kTextureNodes},
+    {"texel", "least pixels from point to point, which choose the level; the paper's is 1", kTextureTexels}};
+
 constexpr Method kMethods[] = {
     {MethodKind::shading, "phong", "Normals interpolated, lit at every pixel", "Phong 1975; thesis 3.3", "",
      "", "everywhere; opposite normals face the viewer"},
@@ -80,6 +85,12 @@ constexpr Method kMethods[] = {
      "neighbours but one up to 162 deg apart, beyond each its own; lengths 0.4 % off (paper, on flat faces "
      "too), 0.0039 (minimax, to 45 deg), 0.31 (half-sum, to 9 deg), beyond exact",
      kDichotomySettings},
+    {MethodKind::shading, "lighting-texture", "A small texture of light for each triangle, fetched bilinearly",
+     "per-fragment paper, polygon-shading processor; A-buffer specification, C.6 - C.8", "phong",
+     "every pixel independent; 17 x 17 points from three blocks of 9 x 9",
+     "up to 4 lights and shininess * (angle from point to point)^2 <= 0.06; triangles under two pixels a point "
+     "and those that do not hold the highlight are lit pixel by pixel",
+     kLightingTextureSettings},
     {MethodKind::lighting, "blinn", "Specular term by N.H", "Blinn 1977; thesis 2.1", "", "",
      "L + V not zero"},
     {MethodKind::lighting, "phong", "Specular term by R.V", "Phong 1975; thesis (2.1)", "", "", "everywhere"},

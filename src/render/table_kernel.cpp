@@ -16,6 +16,7 @@ constexpr ShadingKernel kShadings[] = {
     {"barycentric", shade_barycentric},
     {"parallel", shade_parallel},
     {"dichotomy", shade_dichotomy},
+    {"lighting-texture", shade_lighting_texture},
 };
 }
 

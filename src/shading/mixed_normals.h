@@ -7,24 +7,33 @@
 
 namespace blysk::BLYSK_ISA {
 
+/// Rows of fewer pixels are not worth what their ends cost: every pixel has its own normal.
+inline constexpr int kShortestRow = 16;
+
 template <class F>
 struct MixedNormals {
-  Corners<F> corners;  ///< sorted
-  V3<F> normal[3];     ///< world
-  RowFrame<F> frame;
+  Corners<F> corners;               ///< sorted, unless all are narrow
+  V3<F> normal[3];                  ///< world
+  RowFrame<F> frame;                ///< likewise
+  decltype(F() < F()) narrow;  ///< no row is long enough, or there are none: only pieces are drawn
 };
 
 template <class F>
-BLYSK_INLINE MixedNormals<F> fetch_mixed_normals(const ShadeJob& job, Integer<F> index) {
+BLYSK_INLINE MixedNormals<F> fetch_mixed_normals(const ShadeJob& job, Integer<F> index, int shortest) {
   MixedNormals<F> t;
   t.corners = fetch_corners<F>(job, index);
-  sort_corners(t.corners);
+  const F* x = t.corners.x;
+  const F width = max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]);
+  t.narrow = t.corners.unplaced | (width < F(static_cast<float>(shortest * kSubpixels)));
+  if (!all(t.narrow)) {
+    sort_corners(t.corners);
+    t.frame = row_frame(t.corners);
+  }
   if (job.draw->normals == nullptr) {
     t.normal[0] = t.normal[1] = t.normal[2] = face_normal(job, t.corners);
   } else {
     for (int k = 0; k < 3; ++k) t.normal[k] = corner_normal(job, t.corners, k);
   }
-  t.frame = row_frame(t.corners);
   return t;
 }
 
