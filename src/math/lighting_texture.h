@@ -5,8 +5,8 @@
 
 namespace blysk {
 
-inline constexpr int kTextureSteps = 16;    ///< of an edge, on the finest level: 17 x 17 points
-inline constexpr int kTextureLamps = 4;     ///< surfaces with more are lit pixel by pixel
+inline constexpr int kTextureSteps = 16;     ///< of an edge, on the finest level: 17 x 17 points
+inline constexpr int kTextureLamps = 4;      ///< surfaces with more are lit pixel by pixel
 inline constexpr float kTextureOne = 32767;  ///< 1 as fixed point
 
 /// shininess * (angle from point to point)^2 up to which linear interpolation is at most about 2/255 off:

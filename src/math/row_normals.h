@@ -43,9 +43,9 @@ inline constexpr RowWeights kRowWeightsQuartic = {
 ///
 ///   N = (B + A) * (1/2 + e * (E0 + e * E1)) + (B - A) * t * (1/2 + e * (O0 + e * O1))
 ///
-/// E0 = z * (even[0] + ...), E1 = z * z * (even[4] + z * even[5]), O0 = z * (odd[0] + ...), O1 = z * z * odd[3]. Both ends
-/// are exact, and everything is where they are equal. Found by tools/fit_arc.py.
-/// Max error: 1.7e-4 of the vector, 2.7e-5 from d = 0.9 on. Valid range: d in [0, 1].
+/// E0 = z * (even[0] + ...), E1 = z * z * (even[4] + z * even[5]), O0 = z * (odd[0] + ...), O1 = z * z *
+/// odd[3]. Both ends are exact, and everything is where they are equal. Found by tools/fit_arc.py. Max
+/// error: 1.7e-4 of the vector, 2.7e-5 from d = 0.9 on. Valid range: d in [0, 1].
 struct ArcFit {
   double even[6], odd[4];
 };
@@ -55,6 +55,9 @@ inline constexpr ArcFit kArcFit = {
 
 /// At a larger angle an arc is halved first; nearly opposite vectors are no ends of an arc.
 inline constexpr double kLowestArc = -0.95;
+
+/// Rows of fewer pixels are not worth what their ends cost: every pixel has its own normal.
+inline constexpr int kShortestArc = 16;
 
 /// Half the sum of two unit vectors is at most 0.31 % short at cosines from here on: 9 degrees.
 inline constexpr double kLowestHalfSum = 0.98769;

@@ -74,7 +74,8 @@ constexpr Method kMethods[] = {
      "Normals of a row from its ends, at equal angles, all at once, nothing made unit",
      "per-fragment paper, (1) - (14); A-buffer specification, C.1 - C.4", "phong",
      "unit without being made unit; steps 0.17 % and 0.005 % off",
-     "row ends up to 90 deg apart, beyond halved, past 162 deg linear; lengths at most 0.016 % off (paper 2.56 "
+     "row ends up to 90 deg apart, beyond halved, past 162 deg linear; lengths at most 0.016 % off (paper "
+     "2.56 "
      "%, quadratic 0.18, cubic 0.024, weights 0.063), on flat faces 0 (paper 0.98); between row ends without "
      "perspective",
      kParallelSettings},
@@ -85,10 +86,12 @@ constexpr Method kMethods[] = {
      "neighbours but one up to 162 deg apart, beyond each its own; lengths 0.4 % off (paper, on flat faces "
      "too), 0.0039 (minimax, to 45 deg), 0.31 (half-sum, to 9 deg), beyond exact",
      kDichotomySettings},
-    {MethodKind::shading, "lighting-texture", "A small texture of light for each triangle, fetched bilinearly",
+    {MethodKind::shading, "lighting-texture",
+     "A small texture of light for each triangle, fetched bilinearly",
      "per-fragment paper, polygon-shading processor; A-buffer specification, C.6 - C.8", "phong",
      "every pixel independent; 17 x 17 points from three blocks of 9 x 9",
-     "up to 4 lights and shininess * (angle from point to point)^2 <= 0.06; triangles under two pixels a point "
+     "up to 4 lights and shininess * (angle from point to point)^2 <= 0.06; triangles under two pixels a "
+     "point "
      "and those that do not hold the highlight are lit pixel by pixel",
      kLightingTextureSettings},
     {MethodKind::lighting, "blinn", "Specular term by N.H", "Blinn 1977; thesis 2.1", "", "",

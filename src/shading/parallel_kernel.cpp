@@ -14,63 +14,61 @@
 namespace blysk::BLYSK_ISA {
 namespace {
 
-// Where the ends say nothing of what is between them: nearly opposite, or a triangle without rows.
-template <class P, class F, class Y>
-BLYSK_INLINE V3<P> or_linear(const ShadeJob& job, const MixedNormals<F>& t, const V3<P>& n, P d, P x, Y y) {
-  const auto lost = d < P(static_cast<float>(kLowestArc));
-  if (!any(lost)) return n;
-  const V3<P> linear = unit_normal_at(job, t, x, y);
-  return {select(lost, linear.x, n.x), select(lost, linear.y, n.y), select(lost, linear.z, n.z)};
-}
-
-template <class F>
-BLYSK_INLINE F highest_cosine(const Corners<F>& c) {
-  return select(c.unplaced, F(-1.0f), F(1.0f));
-}
-
 struct Row {
   template <class F>
   using Triangle = MixedNormals<F>;
   template <class F>
   struct Span {
+    NormalRow<F> row;
     V3<F> first_normal, last_normal;
     F d;
+    decltype(F() < F()) own;  // pixels have their own normals: a short row, or opposite ends
     bool acute;
-    F first, scale;  // t = (x - first) * scale - 1
+    F scale;  // t = (x - first) * scale - 1
     Arc<F> arc;
   };
 
   template <class F>
   static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
-    return fetch_mixed_normals<F>(job, index);
+    return fetch_mixed_normals<F>(job, index, kShortestArc);
   }
 
   template <class F>
   static BLYSK_INLINE Span<F> set_up_span(const ShadeJob& job, const Triangle<F>& t, F y) {
     Span<F> s;
-    const RowCenters<F> row = row_centers(t.frame, y);
-    s.first = row.first;
-    s.scale = F(2.0f) / max(row.last - row.first, F(static_cast<float>(kSubpixels)));
-    s.first_normal = unit_normal_at(job, t, row.first, y);
-    s.last_normal = unit_normal_at(job, t, row.last, y);
-    s.d = min(dot(s.first_normal, s.last_normal), highest_cosine(t.corners));
+    s.row = normal_row(t, y);
+    const F length = s.row.last - s.row.first;
+    s.own = length < F(static_cast<float>((kShortestArc - 1) * kSubpixels));
+    s.acute = true;
+    if (all_of(s.own)) return s;
+    s.scale = F(2.0f) / max(length, F(static_cast<float>(kSubpixels)));
+    s.first_normal = unit_normal_at(job, t, s.row, s.row.first, y);
+    s.last_normal = unit_normal_at(job, t, s.row, s.row.last, y);
+    s.d = min(dot(s.first_normal, s.last_normal), F(1.0f));
+    s.own = s.own | (s.d < F(static_cast<float>(kLowestArc)));
     s.acute = !any(s.d < F(0.0f));
     s.arc = arc_between(s.first_normal, s.last_normal, s.d);
     return s;
   }
 
   template <class F, class P, class Y>
-  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s, P x, Y y,
-                                   P nearness) {
+  static BLYSK_INLINE V3<P> normal_at(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s, P x, Y y) {
+    if (all_of(s.own)) return unit_normal_at(job, t, s.row, x, y);
     const P one(1.0f);
-    const P place = min(max((x - P(s.first)) * P(s.scale) - one, P(-1.0f)), one);
+    const P place = min(max((x - P(s.row.first)) * P(s.scale) - one, P(-1.0f)), one);
     V3<P> n = along(s.arc, place);
     if (__builtin_expect(!s.acute, 0)) {
       const auto lanes = [](const V3<F>& v) { return V3<P>{P(v.x), P(v.y), P(v.z)}; };
       n = along_any(lanes(s.first_normal), lanes(s.last_normal), P(s.d), place);
-      n = or_linear(job, t, n, P(s.d), x, y);
     }
-    return light_unit(job, t, n, x, y, nearness);
+    if (any(s.own)) n = pick_normal(s.own, unit_normal_at(job, t, s.row, x, y), n);
+    return n;
+  }
+
+  template <class F, class P, class Y>
+  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s, P x, Y y,
+                                   P nearness) {
+    return light_unit(job, t.corners, normal_at(job, t, s, x, y), x, y, nearness);
   }
 };
 
@@ -130,40 +128,47 @@ struct Nines {
   template <class F>
   using Triangle = MixedNormals<F>;
   template <class F>
-  using Span = RowCenters<F>;
+  using Span = NormalRow<F>;
 
   template <class F>
   static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
-    return fetch_mixed_normals<F>(job, index);
+    return fetch_mixed_normals<F>(job, index, 1);
   }
 
   template <class F>
   static BLYSK_INLINE Span<F> set_up_span(const ShadeJob&, const Triangle<F>& t, F y) {
-    return row_centers(t.frame, y);
+    return normal_row(t, y);
   }
 
+  // Pixels have their own normals where the ends say nothing of what is between them: nearly opposite, or of
+  // a triangle whose rows are not known.
   template <class F, class P, class Y>
-  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s, P x, Y y,
-                                   P nearness) {
+  static BLYSK_INLINE V3<P> normal_at(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s, P x, Y y) {
     using I = Integer<P>;
-    const P pixel(static_cast<float>(kSubpixels));
-    const I last = truncate((P(s.last) - P(s.first)) * P(1.0f / kSubpixels));
-    const P from_first = max((x - P(s.first)) * P(1.0f / kSubpixels), P(0.0f));
-    const I column = min(truncate(from_first + P(0.5f)), last);
+    const P pixel(static_cast<float>(kSubpixels)), per_pixel(1.0f / kSubpixels);
+    const I last = truncate((P(s.last) - P(s.first)) * per_pixel);
+    const I column = min(truncate(max((x - P(s.first)) * per_pixel, P(0.0f)) + P(0.5f)), last);
     const I start = shift_left<3>(shift_right<3>(column)), steps = min(last - start, I(8));
     const P x0 = P(s.first) + to_float(start) * pixel;
-    const V3<P> a = unit_normal_at(job, t, x0, y);
-    const V3<P> b = unit_normal_at(job, t, x0 + to_float(steps) * pixel, y);
-    const P d = min(dot(a, b), P(highest_cosine(t.corners)));
+    const V3<P> a = unit_normal_at(job, t, s, x0, y);
+    const V3<P> b = unit_normal_at(job, t, s, x0 + to_float(steps) * pixel, y);
+    const P d = min(dot(a, b), P(select(t.narrow, F(-1.0f), F(1.0f))));
     const I k = column - start;
     V3<P> n = at_place<kFit>(a, b, Place9<P>{d, k});
     const auto other = (steps < I(8)) | (d < P(0.0f));
     if (any(other)) {
       const P place = to_float(k + k) / max(to_float(steps), P(1.0f)) - P(1.0f);
-      const V3<P> arc = or_linear(job, t, along_any(a, b, d, place), d, x, y);
-      n = {select(other, arc.x, n.x), select(other, arc.y, n.y), select(other, arc.z, n.z)};
+      n = pick_normal(other, along_any(a, b, d, place), n);
+      const auto own = d < P(static_cast<float>(kLowestArc));
+      if (any(own)) n = pick_normal(own, unit_normal_at(job, t, s, x, y), n);
     }
-    return light_unit(job, t, n, x, y, nearness);
+    return n;
+  }
+
+  template <class F, class P, class Y>
+  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s, P x, Y y,
+                                   P nearness) {
+    return light_unit(job, t.corners, normal_at(job, t, s, x, y), x, y, nearness);
   }
 };
 

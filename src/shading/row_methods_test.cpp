@@ -1,5 +1,5 @@
-// The methods whose normals depend on the ends of a row: kernels against reference forms, and pictures against
-// Phong shading.
+// The methods whose normals depend on the ends of a row: kernels against reference forms, and pictures
+// against Phong shading.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,6 +24,7 @@ constexpr int kSide = 480;
 struct RowOfNormals {
   Vec3d origin, step;
   int first, last;
+  double width;  // of the triangle, pixels
 
   [[nodiscard]] Vec3d raw(int column) const { return origin + step * column; }
   [[nodiscard]] Vec3d unit(int column) const { return normalize(raw(column)); }
@@ -37,6 +38,7 @@ Vec3d arc_or_linear(const RowOfNormals& row, int from, int to, int column) {
 }
 
 Vec3d whole_row(const RowOfNormals& row, int column) {
+  if (row.last - row.first + 1 < kShortestArc) return row.unit(column);
   return arc_or_linear(row, row.first, row.last, column);
 }
 
@@ -58,7 +60,9 @@ Vec3d weights(const RowOfNormals& row, int column) {
 
 template <reference::Between kForm>
 Vec3d dichotomy(const RowOfNormals& row, int column) {
-  if ((column - row.first) % 2 == 0 || column == row.last) return row.unit(column);
+  if ((column - row.first) % 2 == 0 || column == row.last || row.width < kShortestArc - 1) {
+    return row.unit(column);
+  }
   const Vec3d a = row.unit(column - 1), b = row.unit(column + 1);
   return dot(a, b) < kLowestArc ? row.unit(column) : reference::between(kForm, a, b);
 }
@@ -92,7 +96,8 @@ Mesh random_triangles(Random& random, int count, double size, double spread) {
     const Vec3d axis = random_direction(random);
     const double cone = spread * uniform(random, 0, 1), scale = uniform(random, 0.5, 2);
     for (int k = 0; k < 3; ++k) {
-      const float px = snapped(x + uniform(random, -size, size)), py = snapped(y + uniform(random, -size, size));
+      const float px = snapped(x + uniform(random, -size, size)),
+                  py = snapped(y + uniform(random, -size, size));
       positions.push_back({px, py, static_cast<float>(uniform(random, -0.9, 0.9))});
       normals.push_back(to_float(normalize(axis + random_direction(random) * cone) * scale));
       indices.push_back(static_cast<std::uint32_t>(indices.size()));
@@ -117,7 +122,8 @@ RowOfNormals row_of(const Mesh& mesh, std::uint32_t triangle, int column, int ro
     normal[k] = to_double(mesh.normals[vertex]);
   }
   const reference::LinearNormals n = reference::linear_normals(corner, normal);
-  RowOfNormals r = {n.at(0.5, row + 0.5), n.horizontal, column, column};
+  const auto [left, right] = std::minmax({corner[0].x, corner[1].x, corner[2].x});
+  RowOfNormals r = {n.at(0.5, row + 0.5), n.horizontal, column, column, right - left};
   while (reference::covers(t, r.first - 1, row)) --r.first;
   while (reference::covers(t, r.last + 1, row)) ++r.last;
   return r;
@@ -170,13 +176,15 @@ TEST(row_methods, kernels_follow_the_reference_forms) {
             if (frame.id[i] == 0) continue;
             const std::uint32_t triangle = frame.id[i] - 1;
             auto row = rows.find({triangle, y});
-            if (row == rows.end()) row = rows.emplace(std::pair(triangle, y), row_of(mesh, triangle, x, y)).first;
+            if (row == rows.end())
+              row = rows.emplace(std::pair(triangle, y), row_of(mesh, triangle, x, y)).first;
             const RowOfNormals& r = row->second;
             // Where the digits of a float decide: which side is seen, opposite ends.
             const double d = dot(r.unit(r.first), r.unit(r.last));
             const Vec3d n = shading.normal(r, x);
             if (std::abs(n.z) < 2e-3 || d < kLowestArc + 0.02 || length(r.raw(x)) < 0.01) continue;
-            const double error = std::abs((frame.image.pixels[i] & 255) - 255 * std::min(1.0, lit(n, towards, 12)));
+            const double error =
+                std::abs((frame.image.pixels[i] & 255) - 255 * std::min(1.0, lit(n, towards, 12)));
             worst = std::max(worst, error);
             wrong += error > 0.501 ? 1 : 0;
             ++count;

@@ -38,8 +38,8 @@ Vec3d slerp(Vec3d a, Vec3d b, double u);
 /// By kArcFit; arcs of more than 90 degrees halved first. d of a and b not under kLowestArc.
 Vec3d arc(Vec3d a, Vec3d b, double u);
 
-/// The vector between two neighbours (specification of relief and texturing, 2.6). Too far apart for the form:
-/// the exact one.
+/// The vector between two neighbours (specification of relief and texturing, 2.6). Too far apart for the
+/// form: the exact one.
 enum class Between { exact, paper, minimax, half_sum };
 Vec3d between(Between form, Vec3d a, Vec3d b);
 

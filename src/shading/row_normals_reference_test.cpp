@@ -75,9 +75,7 @@ TEST(row_normals_reference, direct_weights) {
               {0.5,
                {.150718664, .298858491, .441884765, .577350269, .702937150, .816496581, .916085529},
                {.150600250, .298637625, .441592625, .577027875, .702632375, .816256375, .915951375}},
-              {0,
-               {.195090322, .382683432, .555570233, .707106781, .831469612, .923879533, .980785280},
-               {}}};
+              {0, {.195090322, .382683432, .555570233, .707106781, .831469612, .923879533, .980785280}, {}}};
   for (const auto& row : rows) {
     const double phi = std::acos(row.d);
     for (int k = 1; k <= 7; ++k) {
@@ -93,18 +91,19 @@ TEST(row_normals_reference, direct_weights) {
     double error = 0;
     for (int i = 0; i < 20000; ++i) {
       const double d = i / 20000.0, phi = std::acos(d);
-      error = std::max(error, std::abs(row_weight(kRowWeightsCubic, k, d) - std::sin(k * phi / 8) / std::sin(phi)));
+      error = std::max(error,
+                       std::abs(row_weight(kRowWeightsCubic, k, d) - std::sin(k * phi / 8) / std::sin(phi)));
     }
     EXPECT_NEAR(error, most[k - 1], 0.06e-4) << k;
   }
 }
 
-
 TEST(row_normals_reference, rows_of_nine) {
   const double third = 1.0 / 3;
   const Vec3d z = {0, 0, 1}, first_b = {0.6, 0, 0.8}, second_a = {third, 2 * third, 2 * third},
               second_b = {2 * third, -third, 2 * third};
-  const Row9 first = chebyshev_row(z, first_b, exact_step_cosine(0.8), exact_step_weight(exact_step_cosine(0.8)));
+  const Row9 first =
+      chebyshev_row(z, first_b, exact_step_cosine(0.8), exact_step_weight(exact_step_cosine(0.8)));
   const double xs[] = {.080350925, .160182243, .238977706, .316227766, .391432868, .464106680, .533779242};
   const double zs[] = {.996766637, .987087458, .971025054, .948683298, .920206667, .885779312, .845623865};
   const std::vector<Vec3d> halved = halved_row(z, first_b, 9);
@@ -209,7 +208,9 @@ TEST(row_normals_reference, errors_of_rows_of_any_length) {
   const struct {
     int terms;
     double mu, error, unit;
-  } rows[] = {{3, 1.712488, 2.9e-3, 6e-5}, {4, 1.759354, 1.0e-3, 6e-5}, {6, 1.817748, 1.6e-4, 6e-6},
+  } rows[] = {{3, 1.712488, 2.9e-3, 6e-5},
+              {4, 1.759354, 1.0e-3, 6e-5},
+              {6, 1.817748, 1.6e-4, 6e-6},
               {8, 1.852981, 2.9e-5, 6e-7}};
   for (const auto& row : rows) {
     double error = 0;

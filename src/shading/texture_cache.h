@@ -93,7 +93,8 @@ class TextureCache {
     return {n.x * scale, n.y * scale, n.z * scale};
   }
 
-  // Whether neither normals nor directions turn too much from point to point for the lobe.
+  // Whether all corners show the side that is lit, and neither normals nor directions turn too much from
+  // point to point for the lobe.
   static bool holds_highlight(const ShadeJob& job, const LitTriangle<float>& t, const V3<float> (&corner)[3],
                               int steps) {
     const Surface& s = job.draw->surface;
@@ -107,6 +108,7 @@ class TextureCache {
     const auto chord = [](const V3<float>& a, const V3<float>& b) { return 2.0f - 2.0f * dot(a, b); };
     float most = 0, lowest = 1;
     for (int k = 0; k < 3; ++k) {
+      if (!(dot(corner[k], view[k]) > 0)) return false;
       const int next = k == 2 ? 0 : k + 1;
       float turn = chord(corner[k], corner[next]) + 0.25f * chord(view[k], view[next]);
       for (int i = 0; i < s.lamps; ++i) {
@@ -146,7 +148,8 @@ class TextureCache {
     if (j == 0) return {load(ab.x + first), load(ab.y + first), load(ab.z + first)};
     const auto lanes = [](const V3<float>& v) { return V3<F32>{F32(v.x), F32(v.y), F32(v.z)}; };
     const int length = steps - j;
-    const F32 place = min(to_float(i + i) * F32(1.0f / static_cast<float>(max(length, 1))) - F32(1.0f), F32(1.0f));
+    const F32 place =
+        min(to_float(i + i) * F32(1.0f / static_cast<float>(max(length, 1))) - F32(1.0f), F32(1.0f));
     const V3<F32> n = along_any(lanes(left), lanes(right), F32(min(dot(left, right), 1.0f)), place);
     const auto is_left = i == I32(0), is_right = i >= I32(length);
     const auto choose_end = [&](F32 inner, float l, float r) {
@@ -165,7 +168,7 @@ class TextureCache {
     const I32 within = min(i, I32(steps - j));
     const F32 w1 = to_float(within) * step, w2 = F32(static_cast<float>(j)) * step,
               w0 = to_float(I32(steps - j) - within) * step;
-    const auto mixed = [&](const float (&v)[3]) { return (w0 * F32(v[0]) + w1 * F32(v[1])) + w2 * F32(v[2]); };
+    const auto mixed = [&](const float(&v)[3]) { return (w0 * F32(v[0]) + w1 * F32(v[1])) + w2 * F32(v[2]); };
     const F32 x = mixed(c.x), y = mixed(c.y), nearness = mixed(c.nearness);
     const V3<F32> viewer = viewer_at(job, x, y);
     const Stance<F32> stance = take_stance(n, F32(1.0f), viewer, I32(0));
