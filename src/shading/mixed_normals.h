@@ -2,7 +2,7 @@
 // points and find the others from those.
 #pragma once
 
-#include "shading/normal_plane.h"
+#include "shading/plane.h"
 #include "shading/row.h"
 
 namespace blysk::BLYSK_ISA {
@@ -30,18 +30,6 @@ struct MixedNormals {
   decltype(F() < F()) narrow;  ///< no row is as long as was asked for, or none is known
   RowFrame<F> frame;           ///< of the others
 };
-
-/// With the plane alone: what Phong shading starts from.
-template <class F>
-BLYSK_INLINE NormalPlane<F> fetch_normal_plane(const ShadeJob& job, const Corners<F>& c) {
-  V3<F> normal[3];
-  if (job.draw->normals == nullptr) {
-    normal[0] = normal[1] = normal[2] = face_normal(job, c);
-  } else {
-    for (int k = 0; k < 3; ++k) normal[k] = fetch3<F>(job.draw->normals, c.vertex[k]);
-  }
-  return normal_plane(job, c, normal);
-}
 
 /// `shortest`: pixels of the shortest row that the method asks for.
 template <class F>
