@@ -37,6 +37,19 @@ constexpr MethodSetting kLightingTextureSettings[] = {
     {"nodes", "points of an edge on the finest level", kTextureNodes},
     {"texel", "least pixels from point to point, which choose the level; the paper's is 1", kTextureTexels}};
 
+constexpr std::string_view kQuadraticForms[] = {"horner", "direct", "step",        "pair",
+                                                "triple", "values", "values-shift"};
+constexpr std::string_view kQuadraticSegments[] = {"1", "2", "4", "8", "16", "32", "64"};
+constexpr MethodSetting kQuadraticSettings[] = {
+    {"form", "formula of a row: (2.9), (2.2), (2.3), (2.5), (2.7), (2.8), (2.8) without multiplication",
+     kQuadraticForms},
+    {"segments", "pixels between which a row is a straight line", kQuadraticSegments}};
+
+constexpr std::string_view kCubicThirds[] = {"exact", "shift", "printed"};
+constexpr MethodSetting kCubicSettings[] = {
+    {"third", "1/3: exact, 43/128 by shifts, the same in the printed formulas (wrong by up to 27 %)",
+     kCubicThirds}};
+
 constexpr Method kMethods[] = {
     {MethodKind::shading, "phong", "Normals interpolated, lit at every pixel", "Phong 1975; thesis 3.3", "",
      "", "everywhere; opposite normals face the viewer"},
@@ -49,13 +62,15 @@ constexpr Method kMethods[] = {
      "1.7 times as fast as an increment for each row",
      "as gouraud; linear on the screen, without perspective"},
     {MethodKind::shading, "quadratic", "Second-order surface through the light of six points",
-     "thesis 2.1, (2.2), (2.9)", "phong", "NMSE <= 0.00019; additions alone per pixel",
+     "thesis 2.1, (2.2) to (2.9)", "phong", "NMSE <= 0.00019; additions alone per pixel",
      "within 1/255 of phong while triangle side (rad) * sqrt(shininess) <= 0.66; triangles under six pixels "
-     "are lit pixel by pixel"},
+     "are lit pixel by pixel",
+     kQuadraticSettings},
     {MethodKind::shading, "cubic", "Cubic polynomial through the light of four points of a row",
      "thesis 2.2; 5.2 of the specification", "phong", "NMSE <= 0.00015; three additions per pixel",
      "within 1/255 of phong while row (rad) * sqrt(shininess) <= 1.05; rows under five pixels "
-     "are lit pixel by pixel"},
+     "are lit pixel by pixel",
+     kCubicSettings},
     {MethodKind::shading, "fast-normalize",
      "Phong without root or division: normals made unit by a polynomial in their squared length",
      "relief thesis, formula (1)", "phong", "length error 0.36 %; 8 times better than Lyon's (3 - K)/2",
