@@ -26,7 +26,7 @@ BLYSK_INLINE V3<Floats<kRegisters>> pick_normal(Masks<kRegisters> m, const V3<Fl
 template <class F>
 struct MixedNormals {
   Corners<F> corners;
-  NormalPlane<F> plane;
+  NormalPlane<F> normal;
   decltype(F() < F()) narrow;  ///< no row is as long as was asked for, or none is known
   RowFrame<F> frame;           ///< of the others
 };
@@ -36,7 +36,7 @@ template <class F>
 BLYSK_INLINE MixedNormals<F> fetch_mixed_normals(const ShadeJob& job, Integer<F> index, int shortest) {
   MixedNormals<F> t;
   t.corners = fetch_corners<F>(job, index);
-  t.plane = fetch_normal_plane(job, t.corners);
+  t.normal = fetch_normal_plane(job, t.corners);
   const F* x = t.corners.x;
   const F width = max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]);
   t.narrow = t.corners.unplaced | (width < F(static_cast<float>((shortest - 1) * kSubpixels)));
@@ -50,13 +50,13 @@ BLYSK_INLINE MixedNormals<F> fetch_mixed_normals(const ShadeJob& job, Integer<F>
 
 template <class F>
 struct NormalRow {
-  V3<F> normal;   ///< see row_normal()
+  V3<F> normal;   ///< see on_row()
   F first, last;  ///< centres of the covered pixels' ends, subpixels; 0 of narrow triangles
 };
 
 template <class F>
 BLYSK_INLINE NormalRow<F> normal_row(const MixedNormals<F>& t, F y) {
-  NormalRow<F> row{row_normal(t.plane, y), F(0.0f), F(0.0f)};
+  NormalRow<F> row{row_normal(t.normal, y), F(0.0f), F(0.0f)};
   if (all_of(t.narrow)) return row;
   const RowEnds<F> ends = row_ends(t.frame, y);
   const auto center = [&](Integer<F> column) {
@@ -71,7 +71,7 @@ BLYSK_INLINE NormalRow<F> normal_row(const MixedNormals<F>& t, F y) {
 template <class F, class P, class Y>
 BLYSK_INLINE V3<P> unit_normal_at(const ShadeJob& job, const MixedNormals<F>& t, const NormalRow<F>& row, P x,
                                   Y y) {
-  const V3<P> n = or_viewer(normal_along(t.plane, row.normal, x), viewer_at(job, x, y));
+  const V3<P> n = or_viewer(normal_along(t.normal, row.normal, x), viewer_at(job, x, y));
   const P scale = reciprocal_root(dot(n, n));
   return {n.x * scale, n.y * scale, n.z * scale};
 }

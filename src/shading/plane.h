@@ -5,7 +5,7 @@
 // instead of eleven.
 #pragma once
 
-#include "shading/corners.h"
+#include "shading/corner_light.h"
 #include "shading/determinant.h"
 
 namespace blysk::BLYSK_ISA {
@@ -95,10 +95,7 @@ BLYSK_INLINE NormalPlane<F> fetch_normal_plane(const ShadeJob& job, const Corner
   if (job.draw->normals == nullptr) {
     normal[0] = normal[1] = normal[2] = face_normal(job, c);
   } else {
-    for (int k = 0; k < 3; ++k) {
-      const V3<F> n = fetch3<F>(job.draw->normals, c.vertex[k]);
-      normal[k] = job.draw->moved ? times(job.draw->normal_matrix, 3, n) : n;
-    }
+    for (int k = 0; k < 3; ++k) normal[k] = corner_normal(job, c, k);
   }
   return normal_plane(plane_frame(c), normal);
 }
