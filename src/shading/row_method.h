@@ -3,14 +3,16 @@
 //
 // Based on: the shading thesis, chapter 3, sections 6 and 7 of its specification. Differs in: directions to
 // near lamps and to the viewer change along the row; with perspective, t runs evenly over the row in the
-// world. Where a law does not hold, pixels are lit one by one: rows that are short, turn by more than 90
-// degrees, or are seen from a lamp or the viewer under too large an angle.
+// world. Where a law does not hold, pixels are Phong's own: rows that are short, turn by more than 90
+// degrees, show both sides of the surface, or are seen from a lamp or the viewer under too large an angle.
 //
 // A law is a struct of static templates, as in symmetric_row.h, and turn_along(job, c, direct): what a row
 // whose ends are c = |Nb - Na|^2 apart has in common; it sets `direct` where the law does not hold.
 #pragma once
 
-#include "shading/lit_triangle.h"
+#include "shading/corner_light.h"
+#include "shading/phong.h"
+#include "shading/row.h"
 #include "shading/row_path.h"
 #include "shading/shade_tile.h"
 
@@ -19,29 +21,17 @@ namespace blysk::BLYSK_ISA {
 /// The settings that methods by rows share, by their index.
 inline constexpr int kRowPixelsSetting = 1;
 
-/// The end of a row, or its middle: a point of the triangle.
-template <class F>
-struct RowNode {
-  Weights<F> w;  // of positive sum
-  F depth;       // their sum: 1 over the depth, up to a factor; 1 where perspective does not count
-  ScreenPoint<F> at;
-};
-
-template <class F, class Y>
-BLYSK_INLINE RowNode<Y> row_node(const Corners<F>& c, const RowFrame<Y>& f, const RowStart<Y>& row, Y x,
-                                 Y y) {
-  const Y v = right_of(f, row, x) * f.over;
-  const Y u = row.s - f.bend * v;
-  const Y weight[3] = {(Y(1.0f) - u) - v, u, v};
-  RowNode<Y> node;
-  node.at = {x, y, Y(0.0f)};
-  for (int k = 0; k < 3; ++k) {
-    node.w.of[k] = weight[k] * Y(c.q[k]);
-    node.at.nearness = node.at.nearness + weight[k] * Y(c.nearness[k]);
-  }
-  node.depth = (node.w.of[0] + node.w.of[1]) + node.w.of[2];
-  return node;
+BLYSK_INLINE bool all(bool m) { return m; }
+template <int kRegisters>
+BLYSK_INLINE bool all(Masks<kRegisters> m) {
+  return to_bits(m) == (2u << (kRegisters * kPartLanes - 1)) - 1;
 }
+
+/// One lane of a vector in memory, at its own address.
+struct Lane {
+  float value, rest[kLanes - 1];
+  BLYSK_INLINE operator float() const { return value; }  // NOLINT(google-explicit-constructor)
+};
 
 template <class Y, class F>
 BLYSK_INLINE RowFrame<Y> spread(const RowFrame<F>& f) {
@@ -51,10 +41,6 @@ BLYSK_INLINE RowFrame<Y> spread(const RowFrame<F>& f) {
     r.y[k] = Y(f.y[k]);
   }
   r.area = Y(f.area);
-  r.inverse_height = Y(f.inverse_height);
-  r.slope = Y(f.slope);
-  r.bend = Y(f.bend);
-  r.over = Y(f.over);
   return r;
 }
 
@@ -66,10 +52,10 @@ struct RowMethod {
     Parabola<F> l_v;  // of Phong's model, instead of n_h
   };
 
-  /// Of F alone: a row of sixteen is taken out as floats.
+  /// Of F alone, so that a Span<F32> holds sixteen spans of Lane.
   template <class F>
   struct Span {
-    F direct;  // 1: pixels are lit one by one
+    F direct;  // 1: pixels are Phong's
     F first, inverse_length;
     F hurry;  // t on the screen becomes t + hurry t (1 - t) in the world
     typename Law::template Turn<F> turn;
@@ -77,58 +63,69 @@ struct RowMethod {
     LampRow<F> lamp[kMaxLamps];
   };
 
+  /// Sixteen rows of one triangle, from `base` on. Which they are does not show: they are set up alike. Copies
+  /// begin empty.
+  template <class F>
+  struct Rows {
+    static constexpr float kNone = -1e9f;
+    float base = kNone;
+    Span<F32> of;
+    BLYSK_INLINE Rows() {}
+    BLYSK_INLINE Rows(const Rows&) {}
+    BLYSK_INLINE Rows& operator=(const Rows&) {
+      base = kNone;
+      return *this;
+    }
+  };
+  template <int kRegisters>
+  struct Rows<Floats<kRegisters>> {};
+
   template <class F>
   struct Triangle {
-    LitTriangle<F> lit;
-    RowFrame<F> frame;
-    decltype(F() < F()) direct;
-    // Sixteen rows of one triangle, from `base` on. Which they are does not show: they are set up alike.
-    struct Rows {
-      float base;
-      Span<F32> of;
-    };
-    struct Nothing {};
-    mutable std::conditional_t<std::is_same_v<F, float>, Rows, Nothing> rows;
+    Phong::Triangle<F> phong;
+    RowFrame<F> frame;           // of what is not direct
+    decltype(F() < F()) direct;  // all of its rows
+    mutable Rows<F> rows;
   };
 
   static BLYSK_INLINE bool even_on_screen(const ShadeJob& job) {
     return job.screen_linear || job.rays->orthographic;
   }
 
+  // From the first pixel's centre of the shortest row that is not direct to its last one's.
+  static BLYSK_INLINE float shortest(const ShadeJob& job) {
+    return static_cast<float>((job.settings[kRowPixelsSetting] - 1) * kSubpixels);
+  }
+
   template <class F>
   static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
     Triangle<F> t;
-    t.lit = fetch_lit_triangle<F>(job, index);
-    t.frame = row_frame(t.lit.corners);
+    t.phong = Phong::set_up_triangle<F>(job, index);
+    Corners<F> c = t.phong.corners;
     // The longest row is the area over half the height: if it has too few pixels, all have.
-    const F longest = magnitude(t.frame.area) * t.frame.inverse_height;
-    t.direct = t.lit.corners.unplaced |
-               (longest < F(static_cast<float>((job.settings[kRowPixelsSetting] - 1) * kSubpixels)));
-    if constexpr (std::is_same_v<F, float>) t.rows.base = -1e9f;
+    const F height = max(max(c.y[0], c.y[1]), c.y[2]) - min(min(c.y[0], c.y[1]), c.y[2]);
+    const F area = (c.x[1] - c.x[0]) * (c.y[2] - c.y[0]) - (c.x[2] - c.x[0]) * (c.y[1] - c.y[0]);
+    t.direct = c.unplaced | (magnitude(area) < height * F(shortest(job)));
+    if (all(t.direct)) return t;
+    sort_corners(c);
+    t.frame = row_frame(c);
     return t;
   }
 
-  static BLYSK_INLINE Span<float> set_up_span(const ShadeJob& job, const Triangle<float>& t, float y) {
-    Span<float> span;
-    span.direct = 1.0f;
-    if (t.direct) return span;
+  static BLYSK_INLINE const Span<Lane>& set_up_span(const ShadeJob& job, const Triangle<float>& t, float y) {
     const int row = ((truncate(y) >> kSubpixelBits) - job.y) & (kLanes - 1);
     const float base = y - static_cast<float>(row * kSubpixels);
     if (base != t.rows.base) {
-      const F32 all = F32(base) + to_float(iota(0)) * F32(static_cast<float>(kSubpixels));
-      const F32 top(t.frame.y[0]), bottom(t.frame.y[1]);
-      set_up_rows(job, t, select((all > top) & (all < bottom), all, F32(y)), t.rows.of);
       t.rows.base = base;
+      if (t.direct) {
+        t.rows.of.direct = F32(1.0f);
+      } else {
+        const F32 each = F32(base) + to_float(iota(0)) * F32(static_cast<float>(kSubpixels));
+        const F32 top(t.frame.y[0]), bottom(t.frame.y[1]);
+        set_up_rows(job, t, select((each > top) & (each < bottom), each, F32(y)), t.rows.of);
+      }
     }
-    const std::size_t floats =
-        (offsetof(Span<float>, lamp) + sizeof(LampRow<float>) * static_cast<std::size_t>(job.draw->surface.lamps)) /
-        sizeof(float);
-    const auto* from = reinterpret_cast<const char*>(&t.rows.of) + static_cast<std::size_t>(row) * sizeof(float);
-    auto* to = reinterpret_cast<char*>(&span);
-    for (std::size_t i = 0; i < floats; ++i) {
-      std::memcpy(to + i * sizeof(float), from + i * sizeof(F32), sizeof(float));
-    }
-    return span;
+    return *reinterpret_cast<const Span<Lane>*>(reinterpret_cast<const float*>(&t.rows.of) + row);
   }
 
   static BLYSK_INLINE Span<F32Wide> set_up_span(const ShadeJob& job, const Triangle<F32Wide>& t, F32Wide y) {
@@ -138,130 +135,167 @@ struct RowMethod {
     return span;
   }
 
+  // The end of a row.
+  template <class Y>
+  struct End {
+    Weights<Y> w;  // of the corners
+    Y depth;       // their sum: 1 over the depth, up to a factor; constant where perspective does not count
+    V3<Y> sight;   // towards the viewer, not unit
+    V3<Y> normal;  // unit
+  };
+
+  template <class F, class Y>
+  static BLYSK_INLINE End<Y> end_at(const ShadeJob& job, const Triangle<F>& t, Y x, Y y) {
+    End<Y> e;
+    e.w = weights_at(t.phong.corners, x, y);
+    e.depth = (e.w.of[0] + e.w.of[1]) + e.w.of[2];
+    const auto sign = bits_of(e.depth) & Integer<Y>(static_cast<std::int32_t>(0x80000000));
+    for (Y& w : e.w.of) w = float_of_bits(bits_of(w) ^ sign);
+    e.depth = float_of_bits(bits_of(e.depth) ^ sign);
+    e.sight = viewer_at(job, x, y);
+    e.normal = made_unit(Phong::normal_at(job, t.phong, e.w, e.sight));
+    return e;
+  }
+
   template <class F, class Y>
   static __attribute__((noinline)) void set_up_rows(const ShadeJob& job, const Triangle<F>& t, Y y,
                                                     Span<Y>& span) {
     using I = Integer<Y>;
-    const RowFrame<Y> f = spread<Y>(t.frame);
-    const RowEnds<Y> ends = row_ends(f, y);
+    const RowEnds<Y> ends = row_ends(spread<Y>(t.frame), y);
     span.first = to_float(ends.first * I(kSubpixels) + I(kSubpixels / 2));
     const Y length = to_float((ends.last - ends.first) * I(kSubpixels));
-    const Y subpixel(1.0f);
-    span.inverse_length = subpixel / max(length, subpixel);
-    auto direct = length < Y(static_cast<float>((job.settings[kRowPixelsSetting] - 1) * kSubpixels));
+    const Y one(1.0f);
+    span.inverse_length = one / max(length, one);
+    auto direct = length < Y(shortest(job));
     if constexpr (std::is_same_v<F, Y>) direct = direct | t.direct;
-    if (!all(direct)) {
-      const RowStart<Y> row = row_start(f, y);
-      RowNode<Y> node[3] = {row_node(t.lit.corners, f, row, span.first, y), {},
-                            row_node(t.lit.corners, f, row, span.first + length, y)};
-      const Y depths = node[0].depth + node[2].depth;
-      const Y share = subpixel / depths;
-      span.hurry = Y(2.0f) * (node[2].depth - node[0].depth) * share;
-      // The middle in the world.
-      node[1] = row_node(t.lit.corners, f, row, span.first + length * (node[0].depth * share), y);
-      light_row(job, t, node, span, direct);
-    }
-    span.direct = select(direct, subpixel, Y(0.0f));
+    if (!all(direct)) light_row(job, t, y, length, span, direct);
+    span.direct = select(direct, one, Y(0.0f));
   }
 
   template <class F, class Y, class M>
-  static BLYSK_INLINE void light_row(const ShadeJob& job, const Triangle<F>& t, const RowNode<Y> node[3],
-                                     Span<Y>& span, M& direct) {
+  static BLYSK_INLINE void light_row(const ShadeJob& job, const Triangle<F>& t, Y y, Y length, Span<Y>& span,
+                                     M& direct) {
     const Surface& s = job.draw->surface;
-    V3<Y> sight[3];
-    for (int i = 0; i < 3; ++i) sight[i] = viewer_at(job, node[i].at.x, node[i].at.y);
-    const auto normal = [&](int i) {
-      return made_unit(
-          or_viewer(mix(node[i].w, t.lit.normal[0], t.lit.normal[1], t.lit.normal[2]), sight[i]));
+    End<Y> a = end_at(job, t, span.first, y), b = end_at(job, t, span.first + length, y);
+    // Both ends show one side.
+    const auto side = side_seen(a.normal, a.sight);
+    direct = direct | (side_seen(b.normal, b.sight) != side);
+    const auto turned = [&](V3<Y>& n) __attribute__((always_inline)) {
+      n = {float_of_bits(bits_of(n.x) ^ side), float_of_bits(bits_of(n.y) ^ side),
+           float_of_bits(bits_of(n.z) ^ side)};
     };
-    const V3<Y> na = normal(0), nb = normal(2);
-    const V3<Y> difference = minus(nb, na);
+    turned(a.normal);
+    turned(b.normal);
+    const V3<Y> difference = minus(b.normal, a.normal);
     const Y c = dot(difference, difference);
     span.turn = Law::turn_along(job, c, direct);
+
+    const Y half(0.5f), share = Y(1.0f) / max(a.depth + b.depth, Y(1e-30f));
     // With perspective t is 0.024 hurry^2 off at most: times the turn and the lobe's slope, one of 255 steps.
     const Y power(max(s.shininess, 4.0f));
+    span.hurry = Y(2.0f) * (b.depth - a.depth) * share;
     const Y square = span.hurry * span.hurry;
     direct = direct | (c * (square * square) * power > Y(0.07f));
-
     // A path that turns by d is 0.008 d^3 off half-way to the viewer: one step of 255 at 0.6 sqrt(n).
-    const auto too_near = [&](const Path<Y>& p) {
+    const auto too_near = [&](const Path<Y>& p) __attribute__((always_inline)) {
       const Y turn = squared_turn(p);
       return (turn * turn) * turn * power > Y(0.28f);
     };
-    Path<Y> v{made_unit(sight[0]), {}, {}, job.rays->orthographic};
+    Path<Y> v{made_unit(a.sight), {}, {}, job.rays->orthographic};
+    // The middle of the row in the world.
+    const V3<Y> sight = viewer_at(job, span.first + length * (a.depth * share), y);
     if (!v.far) {
-      v.middle = made_unit(sight[1]);
-      v.last = made_unit(sight[2]);
+      v.middle = made_unit(sight);
+      v.last = made_unit(b.sight);
       direct = direct | too_near(v);
     }
-    if (s.model == LightingModel::phong) span.n_v = Law::dot_along(span.turn, na, nb, v);
+    if (s.model == LightingModel::phong) span.n_v = Law::dot_along(span.turn, a.normal, b.normal, v);
+    V3<Y> from[2] = {};
+    for (int i = 0; i < s.lamps; ++i) {
+      if (!s.lamp[i].point) continue;
+      from[0] = world_at(job, t, a);
+      from[1] = world_at(job, t, b);
+      break;
+    }
     for (int i = 0; i < s.lamps; ++i) {
       const Lamp& lamp = s.lamp[i];
       const V3<Y> at = {Y(lamp.vector[0]), Y(lamp.vector[1]), Y(lamp.vector[2])};
       Path<Y> l{at, at, at, !lamp.point};
       if (lamp.point) {
-        const auto to_lamp = [&](int k) {
-          const ScreenPoint<Y>& p = node[k].at;
-          return made_unit(minus(at, point_at(job, p.x, p.y, p.nearness, sight[k])));
-        };
-        l = {to_lamp(0), to_lamp(1), to_lamp(2), false};
+        l = {made_unit(minus(at, from[0])), made_unit(minus(at, scaled(plus(from[0], from[1]), half))),
+             made_unit(minus(at, from[1])), false};
         direct = direct | too_near(l);
       }
-      span.lamp[i].n_l = Law::dot_along(span.turn, na, nb, l);
-      if (s.model == LightingModel::phong) {
-        span.lamp[i].l_v = v.far && l.far ? Parabola<Y>{dot(l.first, v.first), Y(0.0f), Y(0.0f)}
-                                          : along(l, v);
-      } else if (s.model == LightingModel::blinn) {
-        Path<Y> h{made_unit(plus(l.first, v.first)), {}, {}, v.far && l.far};
-        if (!h.far) {
-          const bool still = v.far;
-          h.middle = made_unit(plus(l.middle, still ? v.first : v.middle));
-          h.last = made_unit(plus(l.last, still ? v.first : v.last));
-        }
-        span.lamp[i].n_h = Law::dot_along(span.turn, na, nb, h);
-      }
+      light_lamp(s, a.normal, b.normal, v, l, span, span.lamp[i]);
     }
   }
 
-  template <class Y>
-  static BLYSK_INLINE Parabola<Y> along(const Path<Y>& l, const Path<Y>& v) {
-    return parabola(dot(l.first, v.first), dot(l.middle, v.far ? v.first : v.middle),
-                    dot(l.last, v.far ? v.first : v.last));
+  template <class F, class Y>
+  static BLYSK_INLINE V3<Y> world_at(const ShadeJob& job, const Triangle<F>& t, const End<Y>& e) {
+    V3<F> p[3];
+    for (int k = 0; k < 3; ++k) p[k] = world_position<F>(job, t.phong.corners.vertex[k]);
+    return scaled(mix(e.w, p[0], p[1], p[2]), Y(1.0f) / max(e.depth, Y(1e-30f)));
   }
 
-  template <class F, class P, class Y>
-  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& span, P x, Y y,
+  template <class Y>
+  static BLYSK_INLINE void light_lamp(const Surface& s, const V3<Y>& na, const V3<Y>& nb, const Path<Y>& v,
+                                      const Path<Y>& l, const Span<Y>& span, LampRow<Y>& lamp) {
+    lamp.n_l = Law::dot_along(span.turn, na, nb, l);
+    const V3<Y>& v_middle = v.far ? v.first : v.middle;
+    const V3<Y>& v_last = v.far ? v.first : v.last;
+    if (s.model == LightingModel::phong) {
+      lamp.l_v = parabola(dot(l.first, v.first), dot(l.middle, v_middle), dot(l.last, v_last));
+    } else if (s.model == LightingModel::blinn) {
+      Path<Y> h{made_unit(plus(l.first, v.first)), {}, {}, v.far && l.far};
+      if (!h.far) {
+        h.middle = made_unit(plus(l.middle, v_middle));
+        h.last = made_unit(plus(l.last, v_last));
+      }
+      lamp.n_h = Law::dot_along(span.turn, na, nb, h);
+    }
+  }
+
+  template <class F, class P>
+  static BLYSK_INLINE Intensity<P> light(const ShadeJob& job, const Span<F>& span, P x) {
+    const P zero(0.0f), one(1.0f);
+    // A point outside its row is lit as the row's end.
+    P along = min(max((x - P(span.first)) * P(span.inverse_length), zero), one);
+    P z = along - along * along;
+    if (!even_on_screen(job)) {
+      along = along + P(span.hurry) * z;
+      z = along - along * along;
+    }
+    const auto point = Law::point(span.turn, RowPoint<P>{along, z});
+    const Surface& s = job.draw->surface;
+    const bool far_viewer = job.rays->orthographic;
+    P n_v(0.0f);
+    if (s.model == LightingModel::phong) n_v = Law::cosine(span.n_v, point, far_viewer);
+    Intensity<P> sum = own_intensity<P>(s);
+    for (int i = 0; i < s.lamps; ++i) {
+      const LampRow<F>& row = span.lamp[i];
+      const bool far = !s.lamp[i].point;
+      const P n_l = min(Law::cosine(row.n_l, point, far), one);
+      sum.diffuse = plus_scaled(sum.diffuse, s.lamp[i].diffuse, max(n_l, zero));
+      if (s.model == LightingModel::lambert) continue;
+      P c = s.model == LightingModel::blinn ? Law::cosine(row.n_h, point, far && far_viewer)
+                                            : P(2.0f) * n_l * n_v - value(row.l_v, point.at);
+      c = min(max(c, zero), one);
+      const P lobe = select(n_l > zero, specular_lobe(c * c, s), zero);
+      sum.specular = plus_scaled(sum.specular, s.lamp[i].specular, lobe);
+    }
+    return sum;
+  }
+
+  template <class F, class G, class P, class Y>
+  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<G>& span, P x, Y y,
                                    P nearness) {
-    const auto direct = span.direct > F(0.0f);
-    return finish(job, t.lit, direct, ScreenPoint<P>{x, P(y), nearness}, y, [&](Intensity<P>& sum) {
-      const P zero(0.0f), one(1.0f);
-      // A point outside its row is lit as the row's end.
-      P along = min(max((x - P(span.first)) * P(span.inverse_length), zero), one);
-      P z = along - along * along;
-      if (!even_on_screen(job)) {
-        along = along + P(span.hurry) * z;
-        z = along - along * along;
-      }
-      const auto point = Law::point(span.turn, RowPoint<P>{along, z});
-      const Surface& s = job.draw->surface;
-      const bool far_viewer = job.rays->orthographic;
-      P n_v(0.0f);
-      if (s.model == LightingModel::phong) n_v = Law::cosine(span.n_v, point, far_viewer);
-      for (int i = 0; i < s.lamps; ++i) {
-        const LampRow<F>& lamp = span.lamp[i];
-        const bool far = !s.lamp[i].point;
-        const P n_l = Law::cosine(lamp.n_l, point, far);
-        P c = zero;
-        if (s.model == LightingModel::blinn) {
-          c = Law::cosine(lamp.n_h, point, far && far_viewer);
-        } else if (s.model == LightingModel::phong) {
-          c = P(2.0f) * n_l * n_v - value(lamp.l_v, point.at);
-        }
-        c = min(max(c, zero), one);
-        const P lobe = s.model == LightingModel::lambert ? zero : specular_lobe(c * c, s);
-        add_lamp(s, s.lamp[i], n_l, lobe, sum);
-      }
-    });
+    const auto direct = F(span.direct) > F(0.0f);
+    if (all(direct)) return Phong::shade(job, t.phong, {}, x, y, nearness);
+    Weights<P> w{};
+    if (job.draw->colors != nullptr) w = weights_at(t.phong.corners, x, y);
+    const Rgb<P> c = compose(job, t.phong.corners, w, light(job, span, x));
+    if (!any(direct)) return c;
+    return choose(direct, Phong::shade(job, t.phong, {}, x, y, nearness), c);
   }
 };
 

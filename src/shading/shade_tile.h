@@ -123,11 +123,15 @@ class DrawShader {
            to_bits(load(job_.buffers->id + at + kLanes) == same) == (1u << kLanes) - 1;
   }
 
+  // Neighbours in a row alternate from row to row: the last few triangles are kept.
   BLYSK_INLINE void set_up(int at) {
     const auto index = static_cast<std::int32_t>(job_.buffers->id[at] - job_.draw->id_base);
-    if (index == known_) return;
-    triangle_ = Method::template set_up_triangle<float>(job_, index);
-    known_ = index;
+    const int place = index % kKept;
+    if (kept_[place] != index) {
+      triangles_[place] = Method::template set_up_triangle<float>(job_, index);
+      kept_[place] = index;
+    }
+    triangle_ = triangles_ + place;
   }
 
   BLYSK_INLINE void shade_wide(int at, int column, float y) {
@@ -135,7 +139,7 @@ class DrawShader {
     const F32Wide x = centers(iota<kWideParts>(job_.x + column));
     const F32Wide nearness = load_wide(job_.buffers->nearness + at);
     Sink::whole(job_, at,
-                Method::shade(job_, triangle_, Method::set_up_span(job_, triangle_, y), x, y, nearness));
+                Method::shade(job_, *triangle_, Method::set_up_span(job_, *triangle_, y), x, y, nearness));
   }
 
   BLYSK_INLINE void shade_runs(int at, int column, float y, unsigned mine, unsigned ends) {
@@ -145,8 +149,8 @@ class DrawShader {
       const unsigned run = left & ((2u << __builtin_ctz(ends & left)) - 1);
       set_up(at + __builtin_ctz(left));
       left &= ~run;
-      const auto span = Method::set_up_span(job_, triangle_, y);
-      Sink::row(job_, at, lanes_of(run), Method::shade(job_, triangle_, span, x, y, nearness));
+      const auto& span = Method::set_up_span(job_, *triangle_, y);
+      Sink::row(job_, at, lanes_of(run), Method::shade(job_, *triangle_, span, x, y, nearness));
     }
   }
 
@@ -184,8 +188,10 @@ class DrawShader {
 
   const ShadeJob& job_;
   const I32 first_id_, last_id_;
-  typename Method::template Triangle<float> triangle_;
-  std::int32_t known_ = -1;  // the triangle that triangle_ was set up for
+  static constexpr int kKept = 8;
+  typename Method::template Triangle<float> triangles_[kKept];
+  const typename Method::template Triangle<float>* triangle_;
+  std::int32_t kept_[kKept] = {-1, -1, -1, -1, -1, -1, -1, -1};  // the triangles that they were set up for
   Strays strays_;
 };
 
