@@ -11,6 +11,7 @@ namespace blysk::BLYSK_ISA {
 namespace {
 
 struct AngularLaw : AngularRow {
+  static constexpr int kRowSetting = 0;
   template <class Y, class M>
   static BLYSK_INLINE Turn<Y> turn_along(const ShadeJob&, Y c, M& direct) {
     direct = direct | (c > Y(2.0f));

@@ -6,8 +6,9 @@
 // world. Where a law does not hold, pixels are Phong's own: rows that are short, turn by more than 90
 // degrees, show both sides of the surface, or are seen from a lamp or the viewer under too large an angle.
 //
-// A law is a struct of static templates, as in symmetric_row.h, and turn_along(job, c, direct): what a row
+// A law is a struct of static templates, as in symmetric_row.h, with turn_along(job, c, direct): what a row
 // whose ends are c = |Nb - Na|^2 apart has in common; it sets `direct` where the law does not hold.
+// kRowSetting is the place of the setting `row`.
 #pragma once
 
 #include "shading/corner_light.h"
@@ -17,9 +18,6 @@
 #include "shading/shade_tile.h"
 
 namespace blysk::BLYSK_ISA {
-
-/// The settings that methods by rows share, by their index.
-inline constexpr int kRowPixelsSetting = 1;
 
 BLYSK_INLINE bool all(bool m) { return m; }
 template <int kRegisters>
@@ -63,8 +61,8 @@ struct RowMethod {
     LampRow<F> lamp[kMaxLamps];
   };
 
-  /// Sixteen rows of one triangle, from `base` on. Which they are does not show: they are set up alike. Copies
-  /// begin empty.
+  /// Sixteen rows of one triangle, from `base` on. Which they are does not show: they are set up alike.
+  /// Copies begin empty.
   template <class F>
   struct Rows {
     static constexpr float kNone = -1e9f;
@@ -94,7 +92,7 @@ struct RowMethod {
 
   // From the first pixel's centre of the shortest row that is not direct to its last one's.
   static BLYSK_INLINE float shortest(const ShadeJob& job) {
-    return static_cast<float>((job.settings[kRowPixelsSetting] - 1) * kSubpixels);
+    return static_cast<float>((job.settings[Law::kRowSetting] - 1) * kSubpixels);
   }
 
   template <class F>
@@ -131,7 +129,10 @@ struct RowMethod {
   static BLYSK_INLINE Span<F32Wide> set_up_span(const ShadeJob& job, const Triangle<F32Wide>& t, F32Wide y) {
     Span<F32Wide> span;
     span.direct = F32Wide(1.0f);
-    if (!all(t.direct)) set_up_rows(job, t, y, span);
+    if (!all(t.direct)) {
+      const Triangle<F32Wide> seldom = t;  // what a call sees is memory: the rest stays in registers
+      set_up_rows(job, seldom, y, span);
+    }
     return span;
   }
 
@@ -180,7 +181,7 @@ struct RowMethod {
     // Both ends show one side.
     const auto side = side_seen(a.normal, a.sight);
     direct = direct | (side_seen(b.normal, b.sight) != side);
-    const auto turned = [&](V3<Y>& n) __attribute__((always_inline)) {
+    const auto turned = [&](V3<Y> & n) __attribute__((always_inline)) {
       n = {float_of_bits(bits_of(n.x) ^ side), float_of_bits(bits_of(n.y) ^ side),
            float_of_bits(bits_of(n.z) ^ side)};
     };
@@ -199,7 +200,7 @@ struct RowMethod {
     // A path that turns by d is 0.008 d^3 off half-way to the viewer: one step of 255 at 0.6 sqrt(n).
     const auto too_near = [&](const Path<Y>& p) __attribute__((always_inline)) {
       const Y turn = squared_turn(p);
-      return (turn * turn) * turn * power > Y(0.28f);
+      return (turn * turn) * turn * power > Y(0.65f);
     };
     Path<Y> v{made_unit(a.sight), {}, {}, job.rays->orthographic};
     // The middle of the row in the world.
@@ -295,7 +296,14 @@ struct RowMethod {
     if (job.draw->colors != nullptr) w = weights_at(t.phong.corners, x, y);
     const Rgb<P> c = compose(job, t.phong.corners, w, light(job, span, x));
     if (!any(direct)) return c;
-    return choose(direct, Phong::shade(job, t.phong, {}, x, y, nearness), c);
+    const Phong::Triangle<F> seldom = t.phong;
+    return choose(direct, phong_among_others(job, seldom, x, y, nearness), c);
+  }
+
+  template <class F, class P, class Y>
+  static __attribute__((noinline)) Rgb<P> phong_among_others(const ShadeJob& job, const Phong::Triangle<F>& t,
+                                                             P x, Y y, P nearness) {
+    return Phong::shade(job, t, {}, x, y, nearness);
   }
 };
 

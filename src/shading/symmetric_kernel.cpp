@@ -12,6 +12,7 @@ namespace {
 
 template <bool kExact>
 struct SymmetricLaw : SymmetricRow<kExact> {
+  static constexpr int kRowSetting = 1;
   template <class Y, class M>
   static BLYSK_INLINE RootTerms<Y> turn_along(const ShadeJob& job, Y c, M& direct) {
     const auto root = static_cast<RowRoot>(job.settings[0]);
