@@ -1,6 +1,9 @@
 // subcommands.h - what each subcommand runs, one file each.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "arguments.h"
 #include "blysk/result.h"
 
@@ -11,8 +14,12 @@ namespace blysk::command {
 [[nodiscard]] Result<int> run_compare(const Arguments& arguments);
 [[nodiscard]] Result<int> run_info(const Arguments& arguments);
 [[nodiscard]] Result<int> run_methods(const Arguments& arguments);
+[[nodiscard]] Result<int> run_replicate(const Arguments& arguments);
 [[nodiscard]] Result<int> run_verify(const Arguments& arguments);
 [[nodiscard]] Result<int> run_man(const Arguments& arguments);
 [[nodiscard]] Result<int> run_completion(const Arguments& arguments);
+
+/// What --study of `blysk replicate` may be.
+[[nodiscard]] std::vector<std::string> study_names();
 
 }  // namespace blysk::command

@@ -16,6 +16,9 @@ constexpr ShadingKernel kShadings[] = {
     {"angular", shade_angular},
     {"fast-normalize", shade_fast_normalize},
     {"barycentric", shade_barycentric},
+    {"parallel", shade_parallel},
+    {"dichotomy", shade_dichotomy},
+    {"lighting-texture", shade_lighting_texture},
 };
 }
 

@@ -25,6 +25,14 @@ BLYSK_INLINE bool all(Masks<kRegisters> m) {
   return to_bits(m) == (2u << (kRegisters * kPartLanes - 1)) - 1;
 }
 
+/// The opposite of a comparison: also where something was not a number.
+BLYSK_INLINE bool opposite(bool m) { return !m; }
+template <int kRegisters>
+BLYSK_INLINE Masks<kRegisters> opposite(Masks<kRegisters> m) {
+  const Floats<kRegisters> zero(0.0f);
+  return and_not(m, zero == zero);
+}
+
 /// One lane of a vector in memory, at its own address.
 struct Lane {
   float value, rest[kLanes - 1];
@@ -81,7 +89,9 @@ struct RowMethod {
   template <class F>
   struct Triangle {
     Phong::Triangle<F> phong;
-    RowFrame<F> frame;           // of what is not direct
+    // Of what is not direct.
+    RowFrame<F> frame;
+    Plane<F> depth;              // 1 over the depth, up to a factor; where perspective counts
     decltype(F() < F()) direct;  // all of its rows
     mutable Rows<F> rows;
   };
@@ -105,6 +115,7 @@ struct RowMethod {
     const F area = (c.x[1] - c.x[0]) * (c.y[2] - c.y[0]) - (c.x[2] - c.x[0]) * (c.y[1] - c.y[0]);
     t.direct = c.unplaced | (magnitude(area) < height * F(shortest(job)));
     if (all(t.direct)) return t;
+    t.depth = even_on_screen(job) ? Plane<F>{} : plane_of(plane_frame(c), c.q);
     sort_corners(c);
     t.frame = row_frame(c);
     return t;
@@ -139,22 +150,22 @@ struct RowMethod {
   // The end of a row.
   template <class Y>
   struct End {
-    Weights<Y> w;  // of the corners
-    Y depth;       // their sum: 1 over the depth, up to a factor; constant where perspective does not count
     V3<Y> sight;   // towards the viewer, not unit
     V3<Y> normal;  // unit
+    Y depth;       // 1 over the depth, up to a factor; constant where perspective does not count
   };
 
   template <class F, class Y>
   static BLYSK_INLINE End<Y> end_at(const ShadeJob& job, const Triangle<F>& t, Y x, Y y) {
+    const Phong::Triangle<F>& p = t.phong;
+    const Y over = x - Y(p.x), down = y - Y(p.y);
+    const auto at = [&](const Plane<F>& q) __attribute__((always_inline)) {
+      return (Y(q.start) + down * Y(q.along_y)) + over * Y(q.along_x);
+    };
     End<Y> e;
-    e.w = weights_at(t.phong.corners, x, y);
-    e.depth = (e.w.of[0] + e.w.of[1]) + e.w.of[2];
-    const auto sign = bits_of(e.depth) & Integer<Y>(static_cast<std::int32_t>(0x80000000));
-    for (Y& w : e.w.of) w = float_of_bits(bits_of(w) ^ sign);
-    e.depth = float_of_bits(bits_of(e.depth) ^ sign);
     e.sight = viewer_at(job, x, y);
-    e.normal = made_unit(Phong::normal_at(job, t.phong, e.w, e.sight));
+    e.normal = made_unit(or_viewer(V3<Y>{at(p.normal.x), at(p.normal.y), at(p.normal.z)}, e.sight));
+    e.depth = even_on_screen(job) ? Y(1.0f) : at(t.depth);
     return e;
   }
 
@@ -191,12 +202,12 @@ struct RowMethod {
     const Y c = dot(difference, difference);
     span.turn = Law::turn_along(job, c, direct);
 
-    const Y half(0.5f), share = Y(1.0f) / max(a.depth + b.depth, Y(1e-30f));
+    const Y half(0.5f), share = Y(1.0f) / (a.depth + b.depth);
     // With perspective t is 0.024 hurry^2 off at most: times the turn and the lobe's slope, one of 255 steps.
     const Y power(max(s.shininess, 4.0f));
     span.hurry = Y(2.0f) * (b.depth - a.depth) * share;
     const Y square = span.hurry * span.hurry;
-    direct = direct | (c * (square * square) * power > Y(0.07f));
+    direct = direct | opposite(c * (square * square) * power <= Y(0.07f));
     // A path that turns by d is 0.008 d^3 off half-way to the viewer: one step of 255 at 0.6 sqrt(n).
     const auto too_near = [&](const Path<Y>& p) __attribute__((always_inline)) {
       const Y turn = squared_turn(p);
@@ -214,8 +225,8 @@ struct RowMethod {
     V3<Y> from[2] = {};
     for (int i = 0; i < s.lamps; ++i) {
       if (!s.lamp[i].point) continue;
-      from[0] = world_at(job, t, a);
-      from[1] = world_at(job, t, b);
+      from[0] = world_at(job, t, span.first, y);
+      from[1] = world_at(job, t, span.first + length, y);
       break;
     }
     for (int i = 0; i < s.lamps; ++i) {
@@ -232,10 +243,11 @@ struct RowMethod {
   }
 
   template <class F, class Y>
-  static BLYSK_INLINE V3<Y> world_at(const ShadeJob& job, const Triangle<F>& t, const End<Y>& e) {
+  static BLYSK_INLINE V3<Y> world_at(const ShadeJob& job, const Triangle<F>& t, Y x, Y y) {
     V3<F> p[3];
     for (int k = 0; k < 3; ++k) p[k] = world_position<F>(job, t.phong.corners.vertex[k]);
-    return scaled(mix(e.w, p[0], p[1], p[2]), Y(1.0f) / max(e.depth, Y(1e-30f)));
+    const Weights<Y> w = weights_at(t.phong.corners, x, y);
+    return scaled(mix(w, p[0], p[1], p[2]), inverse_sum(w));
   }
 
   template <class Y>
@@ -291,19 +303,22 @@ struct RowMethod {
   static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<G>& span, P x, Y y,
                                    P nearness) {
     const auto direct = F(span.direct) > F(0.0f);
-    if (all(direct)) return Phong::shade(job, t.phong, {}, x, y, nearness);
-    Weights<P> w{};
-    if (job.draw->colors != nullptr) w = weights_at(t.phong.corners, x, y);
-    const Rgb<P> c = compose(job, t.phong.corners, w, light(job, span, x));
+    if (all(direct)) return phong(job, t.phong, x, y, nearness);
+    const Rgb<P> c = compose(job, t.phong.corners, x, y, light(job, span, x));
     if (!any(direct)) return c;
     const Phong::Triangle<F> seldom = t.phong;
     return choose(direct, phong_among_others(job, seldom, x, y, nearness), c);
   }
 
   template <class F, class P, class Y>
+  static BLYSK_INLINE Rgb<P> phong(const ShadeJob& job, const Phong::Triangle<F>& t, P x, Y y, P nearness) {
+    return Phong::shade(job, t, Phong::set_up_span(job, t, y), x, y, nearness);
+  }
+
+  template <class F, class P, class Y>
   static __attribute__((noinline)) Rgb<P> phong_among_others(const ShadeJob& job, const Phong::Triangle<F>& t,
                                                              P x, Y y, P nearness) {
-    return Phong::shade(job, t, {}, x, y, nearness);
+    return phong(job, t, x, y, nearness);
   }
 };
 
