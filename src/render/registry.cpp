@@ -18,27 +18,6 @@ constexpr MethodSetting kBarycentricSettings[] = {
     {"fit", "parabola of the edges' vectors: the paper's, the best for corners up to 45 deg apart",
      kBarycentricFits}};
 
-constexpr MethodSetting kRowPixels = {"row", "rows of fewer pixels are lit pixel by pixel", {}, 32, 3, 64};
-
-constexpr std::string_view kSymmetricRoots[] = {"exact", "taylor", "chebyshev", "shift", "minimax"};
-constexpr MethodSetting kSymmetricSettings[] = {
-    {"root", "1 / sqrt: exact, the paper's three polynomials, one fitted to each row", kSymmetricRoots, 4},
-    kRowPixels};
-
-constexpr MethodSetting kAngularSettings[] = {kRowPixels};
-constexpr std::string_view kQuadraticForms[] = {"horner", "direct", "step",        "pair",
-                                                "triple", "values", "values-shift"};
-constexpr std::string_view kQuadraticSegments[] = {"1", "2", "4", "8", "16", "32", "64"};
-constexpr MethodSetting kQuadraticSettings[] = {
-    {"form", "formula of a row: (2.9), (2.2), (2.3), (2.5), (2.7), (2.8), (2.8) without multiplication",
-     kQuadraticForms},
-    {"segments", "pixels between which a row is a straight line", kQuadraticSegments}};
-
-constexpr std::string_view kCubicThirds[] = {"exact", "shift", "printed"};
-constexpr MethodSetting kCubicSettings[] = {
-    {"third", "1/3: exact, 43/128 by shifts, the same in the printed formulas (wrong by up to 27 %)",
-     kCubicThirds}};
-
 constexpr std::string_view kParallelFits[] = {"row", "paper", "quadratic", "cubic", "weights"};
 constexpr MethodSetting kParallelSettings[] = {
     {"fit",
@@ -57,6 +36,28 @@ constexpr std::string_view kTextureNodes[] = {"17", "9"}, kTextureTexels[] = {"4
 constexpr MethodSetting kLightingTextureSettings[] = {
     {"nodes", "points of an edge on the finest level", kTextureNodes},
     {"texel", "least pixels from point to point, which choose the level; the paper's is 1", kTextureTexels}};
+
+constexpr std::string_view kQuadraticForms[] = {"horner", "direct", "step",        "pair",
+                                                "triple", "values", "values-shift"};
+constexpr std::string_view kQuadraticSegments[] = {"1", "2", "4", "8", "16", "32", "64"};
+constexpr MethodSetting kQuadraticSettings[] = {
+    {"form", "formula of a row: (2.9), (2.2), (2.3), (2.5), (2.7), (2.8), (2.8) without multiplication",
+     kQuadraticForms},
+    {"segments", "pixels between which a row is a straight line", kQuadraticSegments}};
+
+constexpr std::string_view kCubicThirds[] = {"exact", "shift", "printed"};
+constexpr MethodSetting kCubicSettings[] = {
+    {"third", "1/3: exact, 43/128 by shifts, the same in the printed formulas (wrong by up to 27 %)",
+     kCubicThirds}};
+
+constexpr MethodSetting kRowPixels = {"row", "rows of fewer pixels are lit pixel by pixel", {}, 32, 3, 64};
+
+constexpr std::string_view kSymmetricRoots[] = {"exact", "taylor", "chebyshev", "shift", "minimax"};
+constexpr MethodSetting kSymmetricSettings[] = {
+    {"root", "1 / sqrt: exact, the paper's three polynomials, one fitted to each row", kSymmetricRoots, 4},
+    kRowPixels};
+
+constexpr MethodSetting kAngularSettings[] = {kRowPixels};
 
 constexpr Method kMethods[] = {
     {MethodKind::shading, "phong", "Normals interpolated, lit at every pixel", "Phong 1975; thesis 3.3", "",

@@ -46,18 +46,37 @@ struct LightingTexture {
   template <class F>
   struct Triangle {
     Corners<F> corners;
-    NormalPlane<F> plane;
-    decltype(F() < F()) direct;  // Phong's, pixel by pixel
-    Integer<F> base;             // of the words of its texture
-    F steps;
-    RowFrame<F> frame;
+    PlacedNormal<F> normal;
+    Integer<F> index, steps;  // by size
+    bool any_texture;
+    RowFrame<F> frame;  // where there is any
   };
   template <class F>
   struct Span {
     V3<F> normal;
+    decltype(F() < F()) direct;  // Phong's, pixel by pixel
     RowStart<F> start;
+    Integer<F> base;  // of the words of the texture
+    F steps;
   };
 
+  template <class F>
+  static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
+    Triangle<F> t;
+    t.corners = fetch_corners<F>(job, index);
+    t.normal = fetch_placed_normal(job, t.corners);
+    t.index = index;
+    t.steps = steps_by_size(job, t.corners);
+    t.any_texture = any(t.steps > Integer<F>(0)) && job.draw->surface.lamps <= kTextureLamps;
+    if (t.any_texture) {
+      Corners<F> sorted = t.corners;
+      sort_corners(sorted);
+      t.frame = row_frame(sorted);
+    }
+    return t;
+  }
+
+  // Textures may have left the cache since the triangle was set up.
   static BLYSK_INLINE void find_texture(const TexturedJob& job, std::int32_t index, std::int32_t by_size,
                                         std::int32_t& base, float& steps) {
     base = 0;
@@ -68,21 +87,18 @@ struct LightingTexture {
     steps = static_cast<float>(job.cache->steps(slot));
   }
 
-  static BLYSK_INLINE void find_textures(const TexturedJob& job, std::int32_t index, std::int32_t by_size,
-                                         Triangle<float>& t) {
-    job.cache->start();
-    find_texture(job, index, by_size, t.base, t.steps);
+  static BLYSK_INLINE void find_textures(const TexturedJob& job, const Triangle<float>& t, Span<float>& s) {
+    find_texture(job, t.index, t.steps, s.base, s.steps);
   }
   template <int kRegisters>
-  static BLYSK_INLINE void find_textures(const TexturedJob& job, Ints<kRegisters> index,
-                                         Ints<kRegisters> by_size, Triangle<Floats<kRegisters>>& t) {
+  static BLYSK_INLINE void find_textures(const TexturedJob& job, const Triangle<Floats<kRegisters>>& t,
+                                         Span<Floats<kRegisters>>& s) {
     constexpr int kCount = kRegisters * kPartLanes;
     std::uint32_t indices[kCount], sizes[kCount];
-    std::int32_t base[kCount] = {};
-    float steps[kCount] = {};
-    store_all(index, indices);
-    store_all(by_size, sizes);
-    job.cache->start();
+    std::int32_t base[kCount];
+    float steps[kCount];
+    store_all(t.index, indices);
+    store_all(t.steps, sizes);
     for (int i = 0; i < kCount; ++i) {
       if (i > 0 && indices[i] == indices[i - 1]) {
         base[i] = base[i - 1];
@@ -92,35 +108,23 @@ struct LightingTexture {
       find_texture(job, static_cast<std::int32_t>(indices[i]), static_cast<std::int32_t>(sizes[i]), base[i],
                    steps[i]);
     }
-    for (int i = 0; i < kRegisters; ++i) {
-      t.base.part[i] = hn::LoadU(IntTag(), base + i * kPartLanes);
-      t.steps.part[i] = hn::LoadU(FloatTag(), steps + i * kPartLanes);
-    }
+    for (int i = 0; i < kRegisters; ++i) s.base.part[i] = hn::LoadU(IntTag(), base + i * kPartLanes);
+    load_all(steps, s.steps);
   }
 
   template <class F>
-  static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
-    Triangle<F> t;
-    t.corners = fetch_corners<F>(job, index);
-    t.plane = fetch_normal_plane(job, t.corners);
-    t.base = Integer<F>(0);
-    t.steps = F(0.0f);
-    const Integer<F> by_size = steps_by_size(job, t.corners);
-    if (any(by_size > Integer<F>(0)) && job.draw->surface.lamps <= kTextureLamps) {
-      find_textures(static_cast<const TexturedJob&>(job), index, by_size, t);
-      Corners<F> sorted = t.corners;
-      sort_corners(sorted);
-      t.frame = row_frame(sorted);
-    }
-    t.direct = t.steps == F(0.0f);
-    return t;
-  }
-
-  template <class F>
-  static BLYSK_INLINE Span<F> set_up_span(const ShadeJob&, const Triangle<F>& t, F y) {
+  static BLYSK_INLINE Span<F> set_up_span(const ShadeJob& job, const Triangle<F>& t, F y) {
     Span<F> s;
-    s.normal = row_normal(t.plane, y);
-    if (!all_of(t.direct)) s.start = row_start(t.frame, y);
+    s.normal = t.normal.row(y);
+    s.base = Integer<F>(0);
+    s.steps = F(0.0f);
+    if (t.any_texture) {
+      const auto& textured = static_cast<const TexturedJob&>(job);
+      textured.cache->start();
+      find_textures(textured, t, s);
+      s.start = row_start(t.frame, y);
+    }
+    s.direct = s.steps == F(0.0f);
     return s;
   }
 
@@ -134,7 +138,7 @@ struct LightingTexture {
   template <class F, class P>
   static BLYSK_INLINE Cell<P> cell_at(const Triangle<F>& t, const Span<F>& s, P x) {
     using I = Integer<P>;
-    const P zero(0.0f), one(1.0f), steps = max(P(t.steps), one);
+    const P zero(0.0f), one(1.0f), steps = max(P(s.steps), one);
     const P over = min(max(right_of(t.frame, s.start, x) * P(t.frame.over), zero), one);
     const P down = min(max(P(s.start.s) - P(t.frame.bend) * over, zero), one - over);
     const P column = down * steps, row = over * steps;
@@ -146,7 +150,7 @@ struct LightingTexture {
     // The last cells of each row are cut by the edge: linear.
     const auto cut = i + j >= last;
     c.xy = select(cut, zero, c.x * c.y);
-    c.at[0] = I(t.base) + (j * I(kTextureRow) + i);
+    c.at[0] = I(s.base) + (j * I(kTextureRow) + i);
     c.at[1] = c.at[0] + I(1);
     c.at[2] = c.at[0] + I(kTextureRow);
     c.at[3] = select(cut, c.at[0], c.at[2] + I(1));
@@ -179,7 +183,7 @@ struct LightingTexture {
   static BLYSK_INLINE Intensity<P> light_directly(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s,
                                                   P x, Y y, P nearness) {
     const V3<P> viewer = viewer_at(job, x, y);
-    const V3<P> n = or_viewer(normal_along(t.plane, s.normal, x), viewer);
+    const V3<P> n = or_viewer(t.normal.along(s.normal, x), viewer);
     const auto where = [&] { return point_at(job, x, y, nearness, viewer); };
     return light_point(job.draw->surface, n, viewer, where);
   }
@@ -187,11 +191,11 @@ struct LightingTexture {
   template <class F, class P, class Y>
   static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s, P x, Y y,
                                    P nearness) {
-    if (all_of(t.direct)) return compose(job, t.corners, x, y, light_directly(job, t, s, x, y, nearness));
+    if (all_of(s.direct)) return compose(job, t.corners, x, y, light_directly(job, t, s, x, y, nearness));
     Intensity<P> light = fetch_light(static_cast<const TexturedJob&>(job), t, s, x);
-    if (any(t.direct)) {
+    if (any(s.direct)) {
       const Intensity<P> own = light_directly(job, t, s, x, y, nearness);
-      light = {choose(t.direct, own.diffuse, light.diffuse), choose(t.direct, own.specular, light.specular)};
+      light = {choose(s.direct, own.diffuse, light.diffuse), choose(s.direct, own.specular, light.specular)};
     }
     return compose(job, t.corners, x, y, light);
   }

@@ -2,7 +2,8 @@
 // points and find the others from those.
 #pragma once
 
-#include "shading/normal_plane.h"
+#include "shading/corner_light.h"
+#include "shading/plane.h"
 #include "shading/row.h"
 
 namespace blysk::BLYSK_ISA {
@@ -23,32 +24,45 @@ BLYSK_INLINE V3<Floats<kRegisters>> pick_normal(Masks<kRegisters> m, const V3<Fl
   return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
 }
 
+/// What Phong shading knows of a triangle.
 template <class F>
-struct MixedNormals {
-  Corners<F> corners;
+struct PlacedNormal {
+  F x, y;  ///< where the plane starts
   NormalPlane<F> plane;
-  decltype(F() < F()) narrow;  ///< no row is as long as was asked for, or none is known
-  RowFrame<F> frame;           ///< of the others
+
+  [[nodiscard]] BLYSK_INLINE V3<F> row(F at) const { return on_row(plane, at - y); }
+  template <class P>
+  [[nodiscard]] BLYSK_INLINE V3<P> along(const V3<F>& row, P at) const {
+    return along_row(plane, row, at - P(x));
+  }
 };
 
-/// With the plane alone: what Phong shading starts from.
 template <class F>
-BLYSK_INLINE NormalPlane<F> fetch_normal_plane(const ShadeJob& job, const Corners<F>& c) {
+BLYSK_INLINE PlacedNormal<F> fetch_placed_normal(const ShadeJob& job, const Corners<F>& c) {
   V3<F> normal[3];
   if (job.draw->normals == nullptr) {
     normal[0] = normal[1] = normal[2] = face_normal(job, c);
   } else {
-    for (int k = 0; k < 3; ++k) normal[k] = fetch3<F>(job.draw->normals, c.vertex[k]);
+    for (int k = 0; k < 3; ++k) normal[k] = corner_normal(job, c, k);
   }
-  return normal_plane(job, c, normal);
+  const PlaneFrame<F> frame = plane_frame(c);
+  return {frame.x, frame.y, normal_plane(frame, normal)};
 }
+
+template <class F>
+struct MixedNormals {
+  Corners<F> corners;
+  PlacedNormal<F> normal;
+  decltype(F() < F()) narrow;  ///< no row is as long as was asked for, or none is known
+  RowFrame<F> frame;           ///< of the others
+};
 
 /// `shortest`: pixels of the shortest row that the method asks for.
 template <class F>
 BLYSK_INLINE MixedNormals<F> fetch_mixed_normals(const ShadeJob& job, Integer<F> index, int shortest) {
   MixedNormals<F> t;
   t.corners = fetch_corners<F>(job, index);
-  t.plane = fetch_normal_plane(job, t.corners);
+  t.normal = fetch_placed_normal(job, t.corners);
   const F* x = t.corners.x;
   const F width = max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]);
   t.narrow = t.corners.unplaced | (width < F(static_cast<float>((shortest - 1) * kSubpixels)));
@@ -62,13 +76,13 @@ BLYSK_INLINE MixedNormals<F> fetch_mixed_normals(const ShadeJob& job, Integer<F>
 
 template <class F>
 struct NormalRow {
-  V3<F> normal;   ///< see row_normal()
+  V3<F> normal;   ///< see on_row()
   F first, last;  ///< centres of the covered pixels' ends, subpixels; 0 of narrow triangles
 };
 
 template <class F>
 BLYSK_INLINE NormalRow<F> normal_row(const MixedNormals<F>& t, F y) {
-  NormalRow<F> row{row_normal(t.plane, y), F(0.0f), F(0.0f)};
+  NormalRow<F> row{t.normal.row(y), F(0.0f), F(0.0f)};
   if (all_of(t.narrow)) return row;
   const RowEnds<F> ends = row_ends(t.frame, y);
   const auto center = [&](Integer<F> column) {
@@ -83,7 +97,7 @@ BLYSK_INLINE NormalRow<F> normal_row(const MixedNormals<F>& t, F y) {
 template <class F, class P, class Y>
 BLYSK_INLINE V3<P> unit_normal_at(const ShadeJob& job, const MixedNormals<F>& t, const NormalRow<F>& row, P x,
                                   Y y) {
-  const V3<P> n = or_viewer(normal_along(t.plane, row.normal, x), viewer_at(job, x, y));
+  const V3<P> n = or_viewer(t.normal.along(row.normal, x), viewer_at(job, x, y));
   const P scale = reciprocal_root(dot(n, n));
   return {n.x * scale, n.y * scale, n.z * scale};
 }
