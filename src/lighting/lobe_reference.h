@@ -57,4 +57,10 @@ T cosine_squared_lobe(T c, double n, double width = 2.81) {
 /// reach zero within 90 degrees.
 double specular_lobe(Lobe lobe, double c, double n);
 
+/// The exact lobe in other number types; whole n of at least 1 only.
+template <class T>
+T specular_lobe(Lobe, const T& c, double n) {
+  return c > T(0) ? integer_power(c, static_cast<int>(n)) : T(0);
+}
+
 }  // namespace blysk::reference

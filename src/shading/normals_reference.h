@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include "blysk/vector.h"
 #include "math/inverse_length.h"
@@ -80,20 +79,36 @@ Vec3<T> mid_vector(const MidVector& polynomial, const Vec3<T>& a, const Vec3<T>&
   return (a + b) * (4 * (T(q[0]) + c * (T(q[1]) + c * T(q[2]))));
 }
 
+/// The quadratic form of six vectors (specification 2.4): what a triangle prepares, and its value.
+template <class T>
+struct SixVectorsOf {
+  Vec3<T> n1, n2, n3, m12, m23, m13;
+
+  SixVectorsOf(const MidVector& polynomial, const Vec3<T> (&normal)[3])
+      : n1(normal[0]),
+        n2(normal[1]),
+        n3(normal[2]),
+        m12(mid_vector(polynomial, n1, n2)),
+        m23(mid_vector(polynomial, n2, n3)),
+        m13(mid_vector(polynomial, n1, n3)) {}
+
+  /// At barycentric (c1, c2, 1 - c1 - c2).
+  [[nodiscard]] Vec3<T> at(T c1, T c2) const {
+    const T c3 = 1 - c1 - c2;
+    return n1 * (c1 * (2 * c1 - 1)) + n2 * (c2 * (2 * c2 - 1)) + n3 * (c3 * (2 * c3 - 1)) + m12 * (c1 * c2) +
+           m23 * (c2 * c3) + m13 * (c1 * c3);
+  }
+};
+
 /// The normal at barycentric (c1, c2, 1 - c1 - c2) of unit corner normals (specification 2.4). Where two of
 /// them are further apart than the polynomial reaches, linear and made unit by the exact root.
-template <class T = double>
-Vec3<T> six_point_normal(const MidVector& polynomial, const Vec3<T> (&normal)[3], std::type_identity_t<T> c1,
-                         std::type_identity_t<T> c2) {
+inline Vec3d six_point_normal(const MidVector& polynomial, const Vec3d (&normal)[3], double c1, double c2) {
   const auto& [n1, n2, n3] = normal;
-  const T c3 = 1 - c1 - c2;
-  if (std::min({dot(n1, n2), dot(n2, n3), dot(n1, n3)}) < T(polynomial.lowest)) {
-    const Vec3<T> n = n1 * c1 + n2 * c2 + n3 * c3;
+  if (std::min({dot(n1, n2), dot(n2, n3), dot(n1, n3)}) < polynomial.lowest) {
+    const Vec3d n = n1 * c1 + n2 * c2 + n3 * (1 - c1 - c2);
     return n * (1 / length(n));
   }
-  return n1 * (c1 * (2 * c1 - 1)) + n2 * (c2 * (2 * c2 - 1)) + n3 * (c3 * (2 * c3 - 1)) +
-         mid_vector(polynomial, n1, n2) * (c1 * c2) + mid_vector(polynomial, n2, n3) * (c2 * c3) +
-         mid_vector(polynomial, n1, n3) * (c1 * c3);
+  return SixVectorsOf<double>(polynomial, normal).at(c1, c2);
 }
 
 }  // namespace blysk::reference

@@ -130,4 +130,14 @@ inline Counted input<Counted>(double value) {
   return Counted::input(value);
 }
 
+/// The next whole number, free: which pixel it is a program knows.
+template <class T>
+T next_input(const T& value) {
+  return value + 1;
+}
+template <>
+inline Counted next_input<Counted>(const Counted& value) {
+  return Counted::input(value.value() + 1);
+}
+
 }  // namespace blysk::study
