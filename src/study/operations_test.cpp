@@ -104,8 +104,8 @@ TEST(operations, forms_of_a_row_agree) {
   }
 }
 
-// Against the exactly interpolated normal, at every pixel. Methods of rows start from unit row ends, which bends
-// the normals a little (4e-4).
+// Against the exactly interpolated normal, at every pixel. Methods of rows start from unit row ends, which
+// bends the normals a little (4e-4).
 TEST(operations, walks_show_what_their_method_does) {
   const WalkTriangle<double> t = average_triangle<double>();
   Pixels<double> exact(t.rows);

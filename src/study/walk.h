@@ -135,9 +135,12 @@ Terms<T> light_unit(const WalkTriangle<T>& t, const Vec3<T>& normal) {
           reference::integer_power(std::max(T(0), dot(normal, t.halfway)), kWalkShininess)};
 }
 
-/// The same of a normal that is `inverse_length` too long; what a pixel shows.
-template <class T>
+enum class Lit { diffuse, both };
+
+/// The same of a normal whose length is off by `inverse_length`; what a pixel shows.
+template <Lit kLit = Lit::both, class T>
 Terms<T> light_scaled(const WalkTriangle<T>& t, const Vec3<T>& normal, const T& inverse_length) {
+  if constexpr (kLit == Lit::diffuse) return {std::max(T(0), dot(normal, t.light) * inverse_length), T(0)};
   return {std::max(T(0), dot(normal, t.light) * inverse_length),
           reference::integer_power(std::max(T(0), dot(normal, t.halfway) * inverse_length), kWalkShininess)};
 }

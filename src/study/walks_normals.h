@@ -8,7 +8,7 @@
 namespace blysk::study {
 
 /// Phong shading with the two dot products made unit instead of the vector (section 3.3).
-template <class T, class Out>
+template <Lit kLit, class T, class Out>
 void walk_phong(const WalkTriangle<T>& t, Out& out) {
   using std::sqrt;
   out.begin(Step::triangle);
@@ -19,7 +19,7 @@ void walk_phong(const WalkTriangle<T>& t, Out& out) {
     Vec3<T> n = normals.at(row_number<T>(row.left), row_number<T>(row.y));
     out.begin(Step::pixel);
     for (int x = 0; x <= row.steps(); ++x) {
-      out.put(r, x, light_scaled(t, n, 1 / sqrt(dot(n, n))));
+      out.put(r, x, light_scaled<kLit>(t, n, 1 / sqrt(dot(n, n))));
       n = n + normals.horizontal;
     }
   }

@@ -24,8 +24,9 @@ T inverse_root(const T& m) {
 /// A dot product with the row's linear normals, from both ends.
 template <class T>
 struct Numerator {
-  T left, right, step;
+  T left{}, right{}, step{};
 
+  Numerator() = default;
   Numerator(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& with, const T& steps)
       : left(dot(a, with)), right(dot(b, with)), step((right - left) / steps) {}
   void next() {
@@ -34,13 +35,14 @@ struct Numerator {
   }
 };
 
-template <class T>
+template <Lit kLit = Lit::both, class T>
 Terms<T> from_dots(const T& diffuse, const T& specular) {
+  if constexpr (kLit == Lit::diffuse) return {std::max(T(0), diffuse), T(0)};
   return {std::max(T(0), diffuse), reference::integer_power(std::max(T(0), specular), kWalkShininess)};
 }
 
 /// Two pixels from one root, no division in the loop (section 6.2).
-template <Root kRoot, class T, class Out>
+template <Root kRoot, Lit kLit, class T, class Out>
 void walk_symmetric(const WalkTriangle<T>& t, Out& out) {
   out.begin(Step::triangle);
   const auto normals = reference::linear_normals<T>(t.corner, t.normal);
@@ -58,18 +60,21 @@ void walk_symmetric(const WalkTriangle<T>& t, Out& out) {
     const T s = (2 * dot(a, b) - 2) / steps, c = -s / steps;
     const T bend = 2 * c;
     T m = T(0), step = c + s;
-    Numerator<T> diffuse(a, b, t.light, steps), specular(a, b, t.halfway, steps);
+    Numerator<T> diffuse(a, b, t.light, steps), specular{};
+    if constexpr (kLit == Lit::both) specular = Numerator<T>(a, b, t.halfway, steps);
     out.begin(Step::pixel);
     for (int x = 0; 2 * x <= row.steps(); ++x) {
       const T root = inverse_root<kRoot>(m);
-      out.put(r, x, from_dots(diffuse.left * root, specular.left * root));
-      if (2 * x < row.steps()) {
-        out.put(r, row.steps() - x, from_dots(diffuse.right * root, specular.right * root));
-      }
+      const auto lit = [&](const T& with_light, const T& with_halfway) {
+        if constexpr (kLit == Lit::diffuse) return from_dots<kLit>(with_light * root, T(0));
+        return from_dots(with_light * root, with_halfway * root);
+      };
+      out.put(r, x, lit(diffuse.left, specular.left));
+      if (2 * x < row.steps()) out.put(r, row.steps() - x, lit(diffuse.right, specular.right));
       m += step;
       step += bend;
       diffuse.next();
-      specular.next();
+      if constexpr (kLit == Lit::both) specular.next();
     }
   }
 }
