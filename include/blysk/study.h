@@ -36,6 +36,7 @@ enum class Verdict { holds, in_part, fails };
 struct StudyMeasurement {
   std::string where;
   StudyCell figure;
+  bool witness = false;  ///< shown, but not judged by
 };
 
 struct StudyClaim {

@@ -154,6 +154,23 @@ Operations count_normalisation(Normalisation way) {
   return operations_so_far() - before;
 }
 
+Operations count_unit_vectors(UnitVectors way) {
+  const Vec3<Counted> n = inputs<Counted>({0.52, 0.31, 0.63}), step = inputs<Counted>({0.01, 0.02, -0.01});
+  const Vec3<Counted> before = inputs<Counted>({0.6, 0.3, 0.7});
+  const Operations start = operations_so_far();
+  if (way == UnitVectors::combined) {
+    static_cast<void>(n + step);
+    static_cast<void>((before + n) * Counted(0.5));
+    Operations sum = operations_so_far() - start;
+    sum += count_normalisation(Normalisation::recurrence);
+    return sum;
+  }
+  for (int pixel = 0; pixel < 2; ++pixel) static_cast<void>(n + step);
+  Operations sum = operations_so_far() - start;
+  for (int pixel = 0; pixel < 2; ++pixel) sum += count_normalisation(Normalisation::three_divisions);
+  return sum;
+}
+
 Operations count_lobe(CountedLobe lobe) {
   const Counted c = Counted::input(0.97);
   constexpr int n = 50;  // no power of two, which would make shifts of products

@@ -39,6 +39,11 @@ template <class T>
 enum class Normalisation { root, three_divisions, polynomial, recurrence };
 [[nodiscard]] Operations count_normalisation(Normalisation way);
 
+/// The unit vectors of two pixels of a row: each interpolated and divided by its length, or one by the
+/// polynomial and one half the sum of its neighbours.
+enum class UnitVectors { classical, combined };
+[[nodiscard]] Operations count_unit_vectors(UnitVectors way);
+
 /// The specular lobe at a cosine, shininess 50.
 enum class CountedLobe { power, schlick, w16 };
 [[nodiscard]] Operations count_lobe(CountedLobe lobe);

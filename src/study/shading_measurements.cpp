@@ -78,7 +78,7 @@ Result<ShadingMeasurements> measure_shading(const StudyOptions& options) {
     if (options.progress) options.progress(what);
   };
   const Rounds rounds = options.quick ? Rounds{3, 0.02} : Rounds{};
-  const Rounds few = options.quick ? Rounds{1, 0.0} : Rounds{5, 0.0};
+  const Rounds few = options.quick ? Rounds{1, 0.0} : Rounds{9, 0.0};
   ShadingMeasurements m;
   list_methods(m);
   m.clock_ghz = clock_hz() * 1e-9;
@@ -98,6 +98,7 @@ Result<ShadingMeasurements> measure_shading(const StudyOptions& options) {
   tell("timing settings and lobes");
   m.rows = row_cost(rounds);
   m.normalisations = normalisation_cost(rounds);
+  m.plain_lobes = plain_lobe_cost(rounds);
   const auto scene_of = [&](std::string_view name) {
     return *std::ranges::find(scenes, name, &SpeedScene::name);
   };

@@ -34,6 +34,7 @@ struct ShadingMeasurements {
   std::vector<SpeedColumn> speeds;                        ///< of methods
   std::vector<double> rows;                               ///< cycles per pixel by QuadraticForm
   std::vector<double> normalisations;                     ///< cycles by Normalisation
+  std::vector<double> plain_lobes;                        ///< cycles by CountedLobe
   ShadingCost lobe_speeds, variant_speeds;                ///< on spans of 64 pixels
   ShadingCost diffuse_speeds;       ///< of methods with Lambert's light, triangles of 100 pixels
   std::vector<ErrorColumn> errors;  ///< of variants, frames timed

@@ -151,6 +151,24 @@ std::vector<double> normalisation_cost(const Rounds& rounds) {
   return cost_of(runs, kVectors, rounds).cycles;
 }
 
+std::vector<double> plain_lobe_cost(const Rounds& rounds) {
+  constexpr std::size_t kCosines = 1024;
+  constexpr int kShininess = 50;
+  std::vector<float> in, out(kCosines);
+  for (std::size_t i = 0; i < kCosines; ++i) in.push_back(0.8f + 0.2f * static_cast<float>(i) / kCosines);
+  const auto each = [&](auto lobe) {
+    return [&in, &out, lobe] {
+      for (std::size_t i = 0; i < in.size(); ++i) out[i] = lobe(in[i]);
+    };
+  };
+  const double scale = reference::w_shift_scale(kShininess, 16);
+  const std::vector<std::function<void()>> runs = {
+      each([](float c) { return reference::integer_power(c, kShininess); }),
+      each([](float c) { return reference::schlick_lobe(c, kShininess); }),
+      each([scale](float c) { return reference::w_lobe(c, scale, 16); })};
+  return cost_of(runs, kCosines, rounds).cycles;
+}
+
 ShadingCost lobe_cost(const std::vector<std::string>& lobes, const Rounds& rounds) {
   SpeedScene scene = spans_of(64, 256, 256);
   std::vector<std::unique_ptr<Pipeline>> pipelines;

@@ -44,6 +44,9 @@ struct WalkCost {
 /// One vector made unit in a loop without SIMD of ours: cycles by every Normalisation but the recurrence.
 [[nodiscard]] std::vector<double> normalisation_cost(const Rounds& rounds);
 
+/// Lobes of shininess 50 over many cosines likewise: cycles by every CountedLobe.
+[[nodiscard]] std::vector<double> plain_lobe_cost(const Rounds& rounds);
+
 /// Specular lobes in the phong kernel on large triangles, best instruction set.
 [[nodiscard]] ShadingCost lobe_cost(const std::vector<std::string>& lobes, const Rounds& rounds);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 namespace blysk::study {
 namespace {
@@ -13,12 +14,6 @@ double sample_ns(const std::function<void()>& run, int repeat) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / repeat;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 std::vector<Timing> time_in_turn(std::span<const std::function<void()>> runs, const Rounds& rounds) {
@@ -28,20 +23,13 @@ std::vector<Timing> time_in_turn(std::span<const std::function<void()>> runs, co
     const double once = sample_ns(run, 1);
     repeat.push_back(std::clamp(static_cast<int>(rounds.least_ms * 1e6 / once) + 1, 1, 100000));
   }
-  std::vector<std::vector<double>> ns(runs.size()), gain(runs.size());
+  std::vector<Timing> timings(runs.size(), {std::numeric_limits<double>::infinity(), 1});
   for (int round = 0; round < rounds.count; ++round) {
-    double first = 0;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-      const double t = sample_ns(runs[i], repeat[i]);
-      if (i == 0) first = t;
-      ns[i].push_back(t);
-      gain[i].push_back(first / t);
+      timings[i].ns = std::min(timings[i].ns, sample_ns(runs[i], repeat[i]));
     }
   }
-  std::vector<Timing> timings;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    timings.push_back({median(std::move(ns[i])), median(std::move(gain[i]))});
-  }
+  for (Timing& t : timings) t.gain = timings[0].ns / t.ns;
   return timings;
 }
 

@@ -10,8 +10,8 @@ namespace blysk::study {
 
 inline constexpr double kReached = 0.9;  ///< share of a claimed gain that counts as reached
 
-/// A claim "at least so much": holds where every measurement reaches it, in part where one does. Without
-/// measurements the model is judged.
+/// A claim "at least so much": holds where every measurement reaches it, in part where one does, witnesses
+/// not counted. Without measurements the model is judged, in part at best.
 [[nodiscard]] Verdict judge_gain(double claimed, double modelled,
                                  const std::vector<StudyMeasurement>& measured);
 /// Which measurements reach it and which do not, as a sentence.
