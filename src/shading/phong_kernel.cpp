@@ -2,6 +2,7 @@
 //
 // Based on: B. T. Phong. Illumination for computer generated pictures. 1975. Thesis, section 3.3 of the
 // specification.
+#include "shading/normal_plane.h"
 #include "shading/shade_tile.h"
 #include "simd/kernels.h"
 
@@ -12,53 +13,48 @@ struct Phong {
   template <class F>
   struct Triangle {
     Corners<F> corners;
-    V3<F> normal[3];
+    NormalPlane<F> normal;
   };
-  struct Span {};
+  template <class F>
+  using Span = V3<F>;
 
   template <class F>
   static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
     Triangle<F> t;
     t.corners = fetch_corners<F>(job, index);
+    V3<F> normal[3];
     if (job.draw->normals == nullptr) {
-      t.normal[0] = t.normal[1] = t.normal[2] = face_normal(job, t.corners);
+      normal[0] = normal[1] = normal[2] = face_normal(job, t.corners);
     } else {
-      for (int k = 0; k < 3; ++k) t.normal[k] = fetch3<F>(job.draw->normals, t.corners.vertex[k]);
+      for (int k = 0; k < 3; ++k) normal[k] = fetch3<F>(job.draw->normals, t.corners.vertex[k]);
     }
+    t.normal = normal_plane(job, t.corners, normal);
     return t;
   }
 
-  template <class F, class Y>
-  static BLYSK_INLINE Span set_up_span(const ShadeJob&, const Triangle<F>&, Y) {
-    return {};
-  }
-
-  // World normal up to its length.
-  template <class F, class P>
-  static BLYSK_INLINE V3<P> normal_at(const ShadeJob& job, const Triangle<F>& t, const Weights<P>& w,
-                                      const V3<P>& viewer) {
-    V3<P> n = mix(w, t.normal[0], t.normal[1], t.normal[2]);
-    if (job.draw->moved && job.draw->normals != nullptr) n = times(job.draw->normal_matrix, 3, n);
-    return or_viewer(n, viewer);
+  template <class F>
+  static BLYSK_INLINE Span<F> set_up_span(const ShadeJob&, const Triangle<F>& t, F y) {
+    return row_normal(t.normal, y);
   }
 
   template <class F, class P, class Y>
-  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, P x, Y y,
+  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& row, P x, Y y,
                                    P nearness) {
-    const Weights<P> w = weights_at(t.corners, x, y);
     const V3<P> viewer = viewer_at(job, x, y);
-    const V3<P> n = normal_at(job, t, w, viewer);
+    const V3<P> n = or_viewer(normal_along(t.normal, row, x), viewer);
     const auto where = [&] { return point_at(job, x, y, nearness, viewer); };
-    return compose(job, t.corners, w, light_point(job.draw->surface, n, viewer, where));
+    const Intensity<P> light = light_point(job.draw->surface, n, viewer, where);
+    return compose(job, t.corners, x, y, light);
   }
 };
 
 // World normals instead of colours, unit and towards the viewer, for the picture of normals.
 struct Normals : Phong {
   template <class F, class P, class Y>
-  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, P x, Y y, P) {
+  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& row, P x, Y y,
+                                   P) {
     const V3<P> viewer = viewer_at(job, x, y);
-    const V3<P> n = normal_at(job, t, weights_at(t.corners, x, y), viewer);
+    const V3<P> n = or_viewer(normal_along(t.normal, row, x), viewer);
     P scale = P(1.0f) / sqrt(dot(n, n));
     scale = select(dot(n, viewer) < P(0.0f), P(0.0f) - scale, scale);
     return {n.x * scale, n.y * scale, n.z * scale};
