@@ -50,6 +50,13 @@ std::vector<std::string> study_names() {
   return names;
 }
 
+std::string study_helps() {
+  std::vector<std::string> helps;
+  for (const Study& study : studies())
+    helps.push_back(std::string(study.name) + " is about " + std::string(study.help));
+  return join(helps, "; ");
+}
+
 std::vector<std::string> isa_names() {
   std::vector<std::string> names;
   for (const Isa isa : {Isa::best, Isa::scalar, Isa::sse4, Isa::avx2, Isa::avx512, Isa::neon}) {
@@ -396,7 +403,7 @@ std::vector<Option> work_options() {
        .type = Type::integer,
        .value = "N",
        .group = Group::work,
-       .users = kDraw | kInfo | kVerify,
+       .users = kDraw | kInfo | kVerify | kReplicate,
        .low = 1,
        .high = 1024,
        .without = "one per processor",
@@ -425,7 +432,7 @@ std::vector<Option> work_options() {
        .type = Type::integer,
        .value = "N",
        .group = Group::work,
-       .users = kDraw | kInfo,
+       .users = kDraw | kInfo | kReplicate,
        .low = 1,
        .high = kExact,
        .initial = std::to_string(Limits{}.max_triangles),
@@ -435,7 +442,7 @@ std::vector<Option> work_options() {
        .type = Type::bytes,
        .value = "BYTES",
        .group = Group::work,
-       .users = kDraw | kInfo,
+       .users = kDraw | kInfo | kReplicate,
        .low = 1,
        .high = kExact,
        .initial = std::to_string(Limits{}.max_memory >> 30) + "G",
@@ -475,7 +482,16 @@ std::vector<Option> report_options() {
        .choices = study_names(),
        .without = "all of them",
        .example = "shading",
-       .help = "which of the papers' subjects is measured again"},
+       .help = "which of the papers' subjects is measured again: " + study_helps()},
+      {.name = "scenes",
+       .type = Type::choices,
+       .value = "LIST",
+       .group = Group::work,
+       .users = kReplicate,
+       .choices = abuffer_scenes(),
+       .without = "all",
+       .example = "soup-5,grass",
+       .help = "with --study abuffer: measure in these scenes only"},
       {.name = "quick",
        .group = Group::work,
        .users = kReplicate,
@@ -585,9 +601,15 @@ const std::vector<Subcommand>& subcommands() {
        .user = kReplicate,
        .run = run_replicate,
        .help = "measure the papers' tables and claims again, and say which hold",
-       .examples = {{"replicate", "every table and claim; in under two minutes on two processors"},
+       .operand = "[MODEL...]",
+       .operand_help =
+           "with --study abuffer: files or built-in shapes to measure besides the study's own scenes",
+       .least = 0,
+       .most = 100,
+       .examples = {{"replicate", "everything, in a few minutes"},
                     {"replicate --study shading --json", "one subject, for programs"},
-                    {"replicate --markdown -o docs/images > docs/replication.md", "the page and its plots"}}},
+                    {"replicate --study abuffer --scenes soup-5", "one scene"},
+                    {"replicate --markdown -o docs/images > docs/replication.md", "a page with plots"}}},
       {.name = "info",
        .user = kInfo,
        .run = run_info,

@@ -1,7 +1,6 @@
-// blysk/study.h - the papers' tables and claims, measured again.
+// blysk/study.h - the papers' experiments, measured again: tables, plots, and a verdict on every claim.
 //
-// A study runs methods, counts their operations, times them, and says which claims hold. Times are of this
-// machine and differ from run to run; everything else is the same everywhere.
+// Times are of the machine that measures and differ from run to run; everything else is the same everywhere.
 #pragma once
 
 #include <functional>
@@ -11,78 +10,95 @@
 #include <string_view>
 #include <vector>
 
+#include "blysk/limits.h"
 #include "blysk/result.h"
 
 namespace blysk {
 
-/// A number with the text that shows it, or text alone.
+/// A number with the text that shows it, or only text.
 struct StudyCell {
   std::string text;
-  std::optional<double> value;
+  std::optional<double> value = {};
 };
 
 struct StudyTable {
-  std::string id;     ///< short and stable: "4.3"
-  std::string title;  ///< one line
+  std::string title;
   std::vector<std::string> columns;
-  std::vector<std::vector<StudyCell>> rows;
-  std::vector<std::string> notes;  ///< sentences that stand below it
+  std::vector<std::vector<StudyCell>> rows;  ///< each as long as `columns`
+  std::string id = {};                       ///< short and stable: "4.3"; may be empty
+  std::vector<std::string> notes = {};       ///< what to know of it, a sentence or two each
+};
+
+struct StudyPlot {
+  std::string name;  ///< of a file, without extension
+  std::string title;
+  std::string svg;
 };
 
 enum class Verdict { holds, in_part, fails };
 [[nodiscard]] std::string_view verdict_name(Verdict verdict);
 
-/// One figure that was measured, and where: "plain", "scalar, 100 pixels".
+/// One figure that was measured, and where: "plain program", "avx512, 100 pixels".
 struct StudyMeasurement {
-  std::string where;
+  std::string where;  ///< empty: the figure says it all
   StudyCell figure;
   bool witness = false;  ///< shown, but not judged by
 };
 
+/// What a paper says, and what was found.
 struct StudyClaim {
-  std::string id;      ///< short and stable
-  std::string text;    ///< what is claimed, in words
-  std::string source;  ///< paper and place
-  StudyCell claimed, modelled;
+  std::string claim;
+  std::string scene;  ///< in which it was looked at; empty: the claim is about no scene
+  StudyCell claimed;
   std::vector<StudyMeasurement> measured;
   Verdict verdict = Verdict::fails;
-  std::string why;  ///< one or two sentences
+  std::string id = {};      ///< short and stable; may be empty
+  std::string source = {};  ///< paper and place
+  StudyCell modelled = {};  ///< by operation counts and the paper's processor; empty: nothing to model
+  std::string why = {};     ///< one or two sentences
 };
 
-struct StudyPoint {
-  std::string label;
-  double x = 0, y = 0;
+struct StudySection {
+  std::string title;
+  std::vector<std::string> paragraphs;
+  std::vector<StudyTable> tables;
+  std::vector<StudyPlot> plots;
 };
-
-/// Points in a plane. Points that lie under `y_floor` are drawn on it.
-struct StudyPlot {
-  std::string id, title, x_label, y_label;
-  double y_floor = 0;
-  std::vector<StudyPoint> points;
-};
-
-/// A picture of the plot on logarithmic axes, as a file of SVG.
-[[nodiscard]] std::string plot_svg(const StudyPlot& plot);
 
 struct StudyReport {
-  std::string name, title;
-  std::vector<std::string> introduction;  ///< paragraphs
-  std::vector<StudyTable> tables;
-  std::vector<StudyClaim> claims;
-  std::vector<StudyPlot> plots;
-  double clock_ghz = 0;         ///< of the processor, as measured
-  std::string instruction_set;  ///< that "SIMD" stands for
+  std::string name;    ///< "abuffer"
+  std::string title;   ///< one line
+  std::string source;  ///< the papers
+  std::vector<StudySection> sections = {};
+  std::vector<StudyClaim> claims = {};
+  std::string clock = {};  ///< processor clock and instruction set of the times; empty: there are no times
 };
 
 struct StudyOptions {
-  bool quick = false;                              ///< small frames and few repetitions: to see that it works
-  std::function<void(std::string_view)> progress;  ///< told what goes on; may be empty
+  int threads = 0;                                 ///< 0: one per processor; times are of one thread always
+  bool quick = false;                              ///< small pictures, few repetitions: to see that it works
+  std::vector<std::string> scenes;                 ///< names of the study's scenes; empty: all
+  std::vector<std::string> models;                 ///< files or shapes measured besides
+  Limits limits;                                   ///< for `models`
+  std::function<void(std::string_view)> progress;  ///< told what is measured next; may be empty
 };
 
+/// Names of the scenes that study_abuffer() knows, in its order.
+[[nodiscard]] std::vector<std::string> abuffer_scenes();
+
+/// O. Romanyuk, S. Pavlov et al.: the modified A-buffer, every policy for lists that are full, and its
+/// memory.
+[[nodiscard]] Result<StudyReport> study_abuffer(const StudyOptions& options = {});
+
+/// The thesis on shading, the papers on Gouraud shading and on vectors: operations, errors, speed. `scenes`
+/// and `models` are not for it.
+[[nodiscard]] Result<StudyReport> study_shading(const StudyOptions& options = {});
+
 struct Study {
-  std::string_view name;   ///< as given to --study
-  std::string_view title;  ///< what it is about
+  std::string_view name;  ///< as given to --study
+  std::string_view help;
   Result<StudyReport> (*run)(const StudyOptions&);
+  bool has_scenes;  ///< StudyOptions::scenes and models are for it
 };
 
 /// All studies there are.

@@ -6,7 +6,7 @@
 #include "study/cells.h"
 #include "study/fit_errors.h"
 #include "study/paper_tables.h"
-#include "study/shading_tables.h"
+#include "study/shading_report.h"
 #include "study/verdict.h"
 
 namespace blysk::study {
@@ -83,7 +83,7 @@ StudyClaim judged_gain(StudyClaim claim, std::string_view remark) {
 StudyClaim speed_claim(const SpeedClaim& row, const ShadingMeasurements& m) {
   StudyClaim claim;
   claim.id = row.id;
-  claim.text = row.text;
+  claim.claim = row.text;
   claim.source = row.source;
   claim.claimed = factor(row.claimed);
   claim.modelled =
@@ -116,7 +116,7 @@ StudyClaim formula_claim(const ShadingMeasurements& m, QuadraticForm form, doubl
   StudyClaim claim;
   const std::string formula(formula_of(form));
   claim.id = form == QuadraticForm::step ? "formula-2.3" : "formula-2.5";
-  claim.text = "formula " + formula + " is " + percent(saved, 0).text + " more productive than (2.9)";
+  claim.claim = "formula " + formula + " is " + percent(saved, 0).text + " more productive than (2.9)";
   claim.source = "thesis, 2.1 and novelty list";
   claim.claimed = factor(1 / (1 - saved));
   claim.modelled = factor(clocks(QuadraticForm::horner) / clocks(form));
@@ -139,7 +139,7 @@ StudyClaim normalisation_claim(const ShadingMeasurements& m) {
   const auto cycles = [&](Normalisation way) { return m.normalisations[static_cast<std::size_t>(way)]; };
   StudyClaim claim;
   claim.id = "normalisation";
-  claim.text = "normalisation by formula (1) is 3.2 times as fast as by root and division";
+  claim.claim = "normalisation by formula (1) is 3.2 times as fast as by root and division";
   claim.source = "relief thesis, 6.2";
   claim.claimed = factor(3.2);
   claim.modelled = factor(clocks(Normalisation::three_divisions) / clocks(Normalisation::recurrence));
@@ -160,7 +160,7 @@ StudyClaim w_speed_claim(const ShadingMeasurements& m) {
   };
   StudyClaim claim;
   claim.id = "w16-speed";
-  claim.text = "W(n, gamma) with k = 16 is 1.6 times as fast as Schlick's lobe";
+  claim.claim = "W(n, gamma) with k = 16 is 1.6 times as fast as Schlick's lobe";
   claim.source = "relief thesis, 6.2";
   claim.claimed = factor(1.6);
   claim.modelled = factor(clocks(CountedLobe::schlick) / clocks(CountedLobe::w16));
@@ -185,10 +185,9 @@ struct BoundClaim {
 StudyClaim bound_claim(const BoundClaim& row) {
   StudyClaim claim;
   claim.id = row.id;
-  claim.text = row.text;
+  claim.claim = row.text;
   claim.source = row.source;
   claim.claimed = percent(row.bound, row.digits);
-  claim.modelled = none();
   claim.measured = {{"largest over the range", percent(row.measured, row.digits + 2)}};
   claim.verdict = judge_bound(row.bound, row.measured, row.digit);
   claim.why = claim.verdict == Verdict::holds ? "Within the bound."
@@ -233,10 +232,9 @@ StudyClaim ratio_claim(std::string_view id, std::string_view text, std::string_v
                        double measured, std::string_view remark) {
   StudyClaim claim;
   claim.id = id;
-  claim.text = text;
+  claim.claim = text;
   claim.source = source;
   claim.claimed = factor(claimed);
-  claim.modelled = none();
   claim.measured = {{"ratio of the largest errors", factor(measured)}};
   return judged_gain(std::move(claim), remark);
 }
@@ -299,10 +297,9 @@ std::vector<StudyClaim> picture_claims(const ShadingMeasurements& m) {
     if (!variant) continue;
     StudyClaim claim;
     claim.id = row.id;
-    claim.text = row.text;
+    claim.claim = row.text;
     claim.source = row.source;
     claim.claimed = significant(row.bound, 2);
-    claim.modelled = none();
     bool some = false;
     for (const ErrorColumn& column : m.errors) {
       const double nmse = column.errors.differences[*variant].nmse;
@@ -326,7 +323,7 @@ std::vector<StudyClaim> sum_claims(const ShadingMeasurements& m) {
   for (const PaperTable& paper : paper_tables()) {
     StudyClaim claim;
     claim.id = "clocks-" + std::string(paper.id);
-    claim.text =
+    claim.claim =
         std::string(paper.title) + ": " + count(paper.printed_clocks).text + " clocks for 100 points";
     claim.source = "thesis, 4.3 and table " + std::string(paper.id);
     claim.claimed = count(paper.printed_clocks);

@@ -1,34 +1,22 @@
-#include "study/shading_study.h"
+#include "study/cells.h"
+#include "study/shading_report.h"
 
-#include "study/shading_tables.h"
+namespace blysk {
 
-namespace blysk::study {
-
-Result<StudyReport> run_shading_study(const StudyOptions& options) {
-  const Result<ShadingMeasurements> m = measure_shading(options);
+Result<StudyReport> study_shading(const StudyOptions& options) {
+  const Result<study::ShadingMeasurements> m = study::measure_shading(options);
   if (!m) return m.error();
   StudyReport report;
-  report.title = "Shading";
-  report.introduction = {
-      "Operations are counted by running the reference forms, which the tests hold to the papers' formulas, "
-      "with a "
-      "number type that counts. \"Modelled\" turns the counts into the clocks of the papers' processors. "
-      "\"Plain "
-      "program\" is the same code in single precision as the compiler translates it; \"scalar kernel\" and "
-      "\"" +
-          m->best +
-          "\" are the shading stage of the renderer without and with SIMD. Methods that are compared were "
-          "timed in "
-          "turn, so their ratios mean more than their times.",
-      "A gain holds where every measurement reaches nine tenths of it, and in part where one does. A bound "
-      "holds up to "
-      "its last printed digit, and in part up to a tenth more, or in some of the scenes."};
-  report.tables = shading_tables(*m);
-  report.claims = shading_claims(*m);
-  report.plots = shading_plots(*m);
-  report.clock_ghz = m->clock_ghz;
-  report.instruction_set = m->best;
+  report.name = "shading";
+  report.title = "Shading methods: operations, errors, speed";
+  report.source =
+      "The Vinnytsia thesis on shading (\"thesis\"), the paper on simplified Gouraud shading, and the thesis "
+      "on "
+      "relief and vectors (\"relief thesis\")";
+  report.sections = study::shading_sections(*m);
+  report.claims = study::shading_claims(*m);
+  report.clock = study::fixed_text(m->clock_ghz, 1) + " GHz, " + m->best;
   return report;
 }
 
-}  // namespace blysk::study
+}  // namespace blysk

@@ -1,13 +1,12 @@
 // The one table of studies.
 #include "blysk/study.h"
-#include "study/shading_study.h"
 
 namespace blysk {
 namespace {
 
 constexpr Study kStudies[] = {
-    {"shading", "Shading methods: the thesis on shading, the papers on Gouraud shading and on vectors",
-     study::run_shading_study},
+    {"shading", "shading methods: their operations, errors and speed", study_shading, false},
+    {"abuffer", "the modified A-buffer: its policies for full lists and its memory", study_abuffer, true},
 };
 
 }  // namespace
@@ -21,9 +20,9 @@ std::string_view verdict_name(Verdict verdict) {
     case Verdict::in_part:
       return "holds in part";
     case Verdict::fails:
-      return "does not hold";
+      break;
   }
-  return "";
+  return "does not hold";
 }
 
 }  // namespace blysk

@@ -48,7 +48,7 @@ TEST(cells, texts) {
   EXPECT_EQ(percent(0.00357, 3).text, "0.357 %");
   EXPECT_EQ(significant(0.000123456, 2).text, "0.00012");
   EXPECT_EQ(factor(1.826).text, "1.83x");
-  EXPECT_FALSE(words("x").value);
+  EXPECT_FALSE(word("x").value);
 }
 
 }  // namespace
