@@ -14,6 +14,9 @@ constexpr ShadingKernel kShadings[] = {
     {"cubic", shade_cubic},
     {"fast-normalize", shade_fast_normalize},
     {"barycentric", shade_barycentric},
+    {"parallel", shade_parallel},
+    {"dichotomy", shade_dichotomy},
+    {"lighting-texture", shade_lighting_texture},
 };
 }
 

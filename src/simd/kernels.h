@@ -30,6 +30,9 @@ void shade_gouraud(const ShadeJob& job);
 void shade_gouraud_constant(const ShadeJob& job);
 void shade_quadratic(const ShadeJob& job);
 void shade_cubic(const ShadeJob& job);
+void shade_dichotomy(const ShadeJob& job);
+void shade_lighting_texture(const ShadeJob& job);
+void shade_parallel(const ShadeJob& job);
 void shade_phong(const ShadeJob& job);
 void write_normals(const ShadeJob& job);
 }  // namespace BLYSK_ISA

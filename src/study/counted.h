@@ -82,6 +82,9 @@ class Counted {
   friend bool operator<=(Counted a, Counted b) { return compared(a, b), a.value_ <= b.value_; }
   friend bool operator>=(Counted a, Counted b) { return b <= a; }
 
+  /// Which pixel it is a program knows.
+  friend Counted next_pixel(Counted x) { return input(x.value_ + 1); }
+
   friend Counted sqrt(Counted a) {
     if (a.constant_) return std::sqrt(a.value_);
     ++operations_so_far().sqrt;
@@ -128,16 +131,6 @@ T input(double value) {
 template <>
 inline Counted input<Counted>(double value) {
   return Counted::input(value);
-}
-
-/// The next whole number, free: which pixel it is a program knows.
-template <class T>
-T next_input(const T& value) {
-  return value + 1;
-}
-template <>
-inline Counted next_input<Counted>(const Counted& value) {
-  return Counted::input(value.value() + 1);
 }
 
 }  // namespace blysk::study

@@ -7,6 +7,7 @@
 #include "math/trig.h"
 #include "shading/cubic_reference.h"
 #include "shading/normals_reference.h"
+#include "shading/row_normals_reference.h"
 
 namespace blysk::study {
 namespace {
@@ -61,6 +62,29 @@ double mid_vector_error() {
 }
 
 double half_sum_error(double angle_deg) { return 1 - cosine(radians(angle_deg / 2)); }
+
+double step_cosine_error() {
+  return largest(0, 1, [](double d) {
+    return reference::step_cosine(kChebyshevPaper, d) / reference::exact_step_cosine(d) - 1;
+  });
+}
+
+double step_weight_error() {
+  return largest(reference::exact_step_cosine(0), 1, [](double c) {
+    return reference::step_weight(kChebyshevPaper, c) / reference::exact_step_weight(c) - 1;
+  });
+}
+
+double chebyshev_row_error() {
+  return largest(0, 1, [](double d) {
+    double worst = 0;
+    for (const Vec3d& n :
+         reference::chebyshev_row(kChebyshevPaper, {1, 0, 0}, {d, std::sqrt(1 - d * d), 0})) {
+      worst = std::max(worst, std::abs(length(n) - 1));
+    }
+    return worst;
+  });
+}
 
 double third_error() { return 43.0 / 128 * 3 - 1; }
 

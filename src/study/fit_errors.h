@@ -16,6 +16,11 @@ namespace blysk::study {
 [[nodiscard]] double mid_vector_error();
 /// Length error of half the sum of two unit vectors so far apart.
 [[nodiscard]] double half_sum_error(double angle_deg);
+/// Of the per-fragment paper's parabolas (14) for the cosine of a row's step, and (11) for its weight, and of
+/// the lengths of the vectors that both lead to; rows of up to 90 degrees.
+[[nodiscard]] double step_cosine_error();
+[[nodiscard]] double step_weight_error();
+[[nodiscard]] double chebyshev_row_error();
 /// Of 43/128 for 1/3, relative; and of a constant intensity of 1 at the end of a row by the printed cubic.
 [[nodiscard]] double third_error();
 [[nodiscard]] double printed_cubic_error();

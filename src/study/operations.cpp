@@ -124,7 +124,7 @@ Operations count_row(QuadraticForm form, std::size_t pixels) {
                                                             in(0.013),   in(0.021),   in(0.45)};
   std::vector<Counted> row(pixels);
   const Operations before = operations_so_far();
-  quadratic_row<Counted>(form, surface, in(-5), in(6), row);
+  reference::quadratic_row<Counted>(form, surface, in(-5), in(6), row);
   return operations_so_far() - before;
 }
 

@@ -4,10 +4,12 @@
 #include <span>
 #include <string_view>
 
-#include "study/quadratic_rows.h"
+#include "shading/quadratic_reference.h"
 #include "study/walk.h"
 
 namespace blysk::study {
+
+using reference::QuadraticForm;
 
 /// One method's program for a triangle, in every number type that it is run with.
 struct Walk {

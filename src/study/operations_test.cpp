@@ -99,7 +99,7 @@ TEST(operations, forms_of_a_row_agree) {
   const reference::SecondOrderSurface surface = {-0.0022, -0.0015, 0.0011, 0.013, 0.021, 0.45};
   for (int form = 0; form <= static_cast<int>(QuadraticForm::forward); ++form) {
     double row[24];
-    quadratic_row<double>(static_cast<QuadraticForm>(form), surface, -5, 6, row);
+    reference::quadratic_row<double>(static_cast<QuadraticForm>(form), surface, -5, 6, row);
     for (int k = 0; k < 24; ++k) EXPECT_NEAR(row[k], surface.at(-5 + k, 6), 1e-12) << form << " " << k;
   }
 }

@@ -39,9 +39,9 @@ StudyTable table_2_1() {
     };
     const Operations o = counted(form);
     const std::uint64_t total = kXeonPhi.clocks(o);
-    t.rows.push_back({word(formula_of(static_cast<QuadraticForm>(form))), cell(&FormulaRow::mul_clocks),
-                      count(8 * o.mul), cell(&FormulaRow::add), count(o.add), cell(&FormulaRow::shift),
-                      count(o.shift_bits), cell(&FormulaRow::total), count(total),
+    t.rows.push_back({word(reference::formula_of(static_cast<QuadraticForm>(form))),
+                      cell(&FormulaRow::mul_clocks), count(8 * o.mul), cell(&FormulaRow::add), count(o.add),
+                      cell(&FormulaRow::shift), count(o.shift_bits), cell(&FormulaRow::total), count(total),
                       percent(1 - static_cast<double>(total) / horner, 1)});
   }
   return t;

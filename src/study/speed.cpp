@@ -122,8 +122,9 @@ std::vector<double> row_cost(const Rounds& rounds) {
   for (int form = 0; form <= static_cast<int>(QuadraticForm::forward); ++form) {
     runs.emplace_back([&, form] {
       for (int y = 0; y < kRows; ++y) {
-        quadratic_row<float>(static_cast<QuadraticForm>(form), surface, -5.0f, static_cast<float>(y),
-                             std::span(out).subspan(static_cast<std::size_t>(y) * kPixels, kPixels));
+        reference::quadratic_row<float>(
+            static_cast<QuadraticForm>(form), surface, -5.0f, static_cast<float>(y),
+            std::span(out).subspan(static_cast<std::size_t>(y) * kPixels, kPixels));
       }
     });
   }
