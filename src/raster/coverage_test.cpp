@@ -22,6 +22,7 @@ Vec3f at_subpixel(Size size, double x, double y, float z = 0) {
 
 RenderOptions id_options(Size size, const Camera& camera) {
   RenderOptions o;
+  o.antialias = "none";
   o.width = size.width;
   o.height = size.height;
   o.camera = camera;
@@ -66,6 +67,7 @@ class Alone {
 
  private:
   RenderOptions options_;
+  options_.antialias = "none";
   Scene scene_;
   Frame frame_;
 };
