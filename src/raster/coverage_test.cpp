@@ -66,8 +66,7 @@ class Alone {
   }
 
  private:
-  RenderOptions options_;
-  options_.antialias = "none";
+  RenderOptions options_ = center_options();
   Scene scene_;
   Frame frame_;
 };

@@ -16,7 +16,7 @@ constexpr int kWidth = 96, kHeight = 72;
 // A few triangles around the origin, what lights them, and a camera that looks at them.
 struct Trial {
   Scene scene;
-  RenderOptions options{.antialias = "none"};
+  RenderOptions options = center_options();
   LightingModel model = LightingModel::blinn;
   Projection projection{};
   reference::Viewpoint view;
