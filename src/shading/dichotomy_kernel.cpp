@@ -14,32 +14,41 @@
 namespace blysk::BLYSK_ISA {
 namespace {
 
+enum class Form { exact, paper, minimax, half_sum };
+
+template <class P>
+BLYSK_INLINE P exact_scale(P c) {
+  return reciprocal_root(max(P(2.0f) + P(2.0f) * c, P(1e-6f)));
+}
+
+template <const MidVector& kPolynomial, class P>
+BLYSK_INLINE P polynomial_scale(P c) {
+  constexpr auto q = [](int i) { return static_cast<float>(kPolynomial.q[i]); };
+  return (P(q(2)) * c + P(q(1))) * c + P(q(0));
+}
+
 // What (a + b) is multiplied with, from the cosine c of a and b.
-struct Root {
-  template <class P>
-  static BLYSK_INLINE P scale(P c) {
-    return reciprocal_root(max(P(2.0f) + P(2.0f) * c, P(1e-6f)));
+template <class P>
+BLYSK_INLINE P middle_scale(Form form, P c) {
+  P scale(0.5f);
+  double lowest = kLowestHalfSum;
+  switch (form) {
+    case Form::exact:
+      return exact_scale(c);
+    case Form::paper:
+      scale = polynomial_scale<kMidVectorPaper>(c);
+      lowest = kMidVectorPaper.lowest;
+      break;
+    case Form::minimax:
+      scale = polynomial_scale<kMidVectorMinimax>(c);
+      lowest = kMidVectorMinimax.lowest;
+      break;
+    case Form::half_sum:
+      break;
   }
-};
-
-template <const MidVector& kPolynomial>
-struct Polynomial {
-  template <class P>
-  static BLYSK_INLINE P scale(P c) {
-    constexpr auto q = [](int i) { return static_cast<float>(kPolynomial.q[i]); };
-    const auto far = c < P(static_cast<float>(kPolynomial.lowest));
-    const P p = (P(q(2)) * c + P(q(1))) * c + P(q(0));
-    return __builtin_expect(any(far), 0) ? select(far, Root::scale(c), p) : p;
-  }
-};
-
-struct HalfSum {
-  template <class P>
-  static BLYSK_INLINE P scale(P c) {
-    const auto far = c < P(static_cast<float>(kLowestHalfSum));
-    return __builtin_expect(any(far), 0) ? select(far, Root::scale(c), P(0.5f)) : P(0.5f);
-  }
-};
+  const auto far = c < P(static_cast<float>(lowest));
+  return __builtin_expect(any(far), 0) ? select(far, exact_scale(c), scale) : scale;
+}
 
 template <class P>
 BLYSK_INLINE V3<P> scaled_sum(const V3<P>& a, const V3<P>& b, P scale) {
@@ -75,7 +84,6 @@ BLYSK_INLINE Floats<2 * kRegisters> alternate(Floats<kRegisters> even, Floats<kR
   return r;
 }
 
-template <class Form>
 struct Dichotomy {
   template <class F>
   using Triangle = MixedNormals<F>;
@@ -91,6 +99,8 @@ struct Dichotomy {
   static BLYSK_INLINE Span<F> set_up_span(const ShadeJob&, const Triangle<F>& t, F y) {
     return normal_row(t, y);
   }
+
+  static BLYSK_INLINE Form form_of(const ShadeJob& job) { return static_cast<Form>(job.settings[0]); }
 
   // Each pixel by itself.
   template <class F, class P, class Y>
@@ -111,7 +121,7 @@ struct Dichotomy {
     if (!any(between)) return;
     const V3<P> b = unit_normal_at(job, t, s, at + step, y);
     const P c = dot(a, b);
-    n = pick_normal(between, scaled_sum(a, b, Form::scale(c)), a);
+    n = pick_normal(between, scaled_sum(a, b, middle_scale(form_of(job), c)), a);
     const auto lost = between & (c < P(static_cast<float>(kLowestArc)));
     if (any(lost)) n = pick_normal(lost, unit_normal_at(job, t, s, at, y), n);
   }
@@ -155,7 +165,7 @@ struct Dichotomy {
       single_normals(job, t, s, x, y, n);
       return n;
     }
-    const V3<H> between = scaled_sum(a, b, Form::scale(c));
+    const V3<H> between = scaled_sum(a, b, middle_scale(form_of(job), c));
     const V3<H>&first = odd ? between : a, &second = odd ? b : between;
     V3<P> n = {alternate(first.x, second.x), alternate(first.y, second.y), alternate(first.z, second.z)};
     // A last pixel without a neighbour to its right.
@@ -175,18 +185,6 @@ struct Dichotomy {
 
 }  // namespace
 
-void shade_dichotomy(const ShadeJob& job) {
-  enum class Form { exact, paper, minimax, half_sum };
-  switch (static_cast<Form>(job.settings[0])) {
-    case Form::exact:
-      return shade_draw<Dichotomy<Root>, ColorSink>(job);
-    case Form::paper:
-      return shade_draw<Dichotomy<Polynomial<kMidVectorPaper>>, ColorSink>(job);
-    case Form::minimax:
-      return shade_draw<Dichotomy<Polynomial<kMidVectorMinimax>>, ColorSink>(job);
-    case Form::half_sum:
-      return shade_draw<Dichotomy<HalfSum>, ColorSink>(job);
-  }
-}
+void shade_dichotomy(const ShadeJob& job) { shade_draw<Dichotomy, ColorSink>(job); }
 
 }  // namespace blysk::BLYSK_ISA

@@ -18,7 +18,6 @@ struct FastNormalize {
   template <class F>
   struct Triangle {
     UnitNormals<F> unit;
-    F x, y;  // where the planes start
     NormalPlane<F> normal;
     Plane<F> sum;  // of the weights, where that is not constant
   };
@@ -33,8 +32,6 @@ struct FastNormalize {
     Triangle<F> t;
     t.unit = fetch_unit_normals<F>(job, index);
     const PlaneFrame<F> frame = plane_frame(t.unit.corners);
-    t.x = frame.x;
-    t.y = frame.y;
     t.normal = normal_plane(frame, t.unit.normal);
     if (t.unit.divide) t.sum = plane_of(frame, t.unit.corners.q);
     return t;
@@ -43,18 +40,17 @@ struct FastNormalize {
   template <class F>
   static BLYSK_INLINE Span<F> set_up_span(const ShadeJob&, const Triangle<F>& t, F y) {
     Span<F> span;
-    span.normal = on_row(t.normal, y - t.y);
-    if (t.unit.divide) span.sum = on_row(t.sum, y - t.y);
+    span.normal = row_normal(t.normal, y);
+    if (t.unit.divide) span.sum = on_row(t.sum, y - t.normal.y);
     return span;
   }
 
   // The interpolated normal of unit ones.
   template <class F, class P>
   static BLYSK_INLINE V3<P> normal_at(const Triangle<F>& t, const Span<F>& span, P x) {
-    const P over = x - P(t.x);
     P scale = P(t.unit.inverse_area);
-    if (t.unit.divide) scale = share_scale(t.unit, along_row(t.sum, span.sum, over));
-    const V3<P> n = along_row(t.normal, span.normal, over);
+    if (t.unit.divide) scale = share_scale(t.unit, along_row(t.sum, span.sum, x - P(t.normal.x)));
+    const V3<P> n = normal_along(t.normal, span.normal, x);
     return {n.x * scale, n.y * scale, n.z * scale};
   }
 

@@ -46,7 +46,7 @@ struct LightingTexture {
   template <class F>
   struct Triangle {
     Corners<F> corners;
-    PlacedNormal<F> normal;
+    NormalPlane<F> normal;
     Integer<F> index, steps;  // by size
     bool any_texture;
     RowFrame<F> frame;  // where there is any
@@ -64,7 +64,7 @@ struct LightingTexture {
   static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
     Triangle<F> t;
     t.corners = fetch_corners<F>(job, index);
-    t.normal = fetch_placed_normal(job, t.corners);
+    t.normal = fetch_normal_plane(job, t.corners);
     t.index = index;
     t.steps = steps_by_size(job, t.corners);
     t.any_texture = any(t.steps > Integer<F>(0)) && job.draw->surface.lamps <= kTextureLamps;
@@ -115,7 +115,7 @@ struct LightingTexture {
   template <class F>
   static BLYSK_INLINE Span<F> set_up_span(const ShadeJob& job, const Triangle<F>& t, F y) {
     Span<F> s;
-    s.normal = t.normal.row(y);
+    s.normal = row_normal(t.normal, y);
     s.base = Integer<F>(0);
     s.steps = F(0.0f);
     if (t.any_texture) {
@@ -183,7 +183,7 @@ struct LightingTexture {
   static BLYSK_INLINE Intensity<P> light_directly(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s,
                                                   P x, Y y, P nearness) {
     const V3<P> viewer = viewer_at(job, x, y);
-    const V3<P> n = or_viewer(t.normal.along(s.normal, x), viewer);
+    const V3<P> n = or_viewer(normal_along(t.normal, s.normal, x), viewer);
     const auto where = [&] { return point_at(job, x, y, nearness, viewer); };
     return light_point(job.draw->surface, n, viewer, where);
   }

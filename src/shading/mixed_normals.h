@@ -2,7 +2,6 @@
 // points and find the others from those.
 #pragma once
 
-#include "shading/corner_light.h"
 #include "shading/plane.h"
 #include "shading/row.h"
 
@@ -24,35 +23,10 @@ BLYSK_INLINE V3<Floats<kRegisters>> pick_normal(Masks<kRegisters> m, const V3<Fl
   return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
 }
 
-/// What Phong shading knows of a triangle.
-template <class F>
-struct PlacedNormal {
-  F x, y;  ///< where the plane starts
-  NormalPlane<F> plane;
-
-  [[nodiscard]] BLYSK_INLINE V3<F> row(F at) const { return on_row(plane, at - y); }
-  template <class P>
-  [[nodiscard]] BLYSK_INLINE V3<P> along(const V3<F>& row, P at) const {
-    return along_row(plane, row, at - P(x));
-  }
-};
-
-template <class F>
-BLYSK_INLINE PlacedNormal<F> fetch_placed_normal(const ShadeJob& job, const Corners<F>& c) {
-  V3<F> normal[3];
-  if (job.draw->normals == nullptr) {
-    normal[0] = normal[1] = normal[2] = face_normal(job, c);
-  } else {
-    for (int k = 0; k < 3; ++k) normal[k] = corner_normal(job, c, k);
-  }
-  const PlaneFrame<F> frame = plane_frame(c);
-  return {frame.x, frame.y, normal_plane(frame, normal)};
-}
-
 template <class F>
 struct MixedNormals {
   Corners<F> corners;
-  PlacedNormal<F> normal;
+  NormalPlane<F> normal;
   decltype(F() < F()) narrow;  ///< no row is as long as was asked for, or none is known
   RowFrame<F> frame;           ///< of the others
 };
@@ -62,7 +36,7 @@ template <class F>
 BLYSK_INLINE MixedNormals<F> fetch_mixed_normals(const ShadeJob& job, Integer<F> index, int shortest) {
   MixedNormals<F> t;
   t.corners = fetch_corners<F>(job, index);
-  t.normal = fetch_placed_normal(job, t.corners);
+  t.normal = fetch_normal_plane(job, t.corners);
   const F* x = t.corners.x;
   const F width = max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]);
   t.narrow = t.corners.unplaced | (width < F(static_cast<float>((shortest - 1) * kSubpixels)));
@@ -82,7 +56,7 @@ struct NormalRow {
 
 template <class F>
 BLYSK_INLINE NormalRow<F> normal_row(const MixedNormals<F>& t, F y) {
-  NormalRow<F> row{t.normal.row(y), F(0.0f), F(0.0f)};
+  NormalRow<F> row{row_normal(t.normal, y), F(0.0f), F(0.0f)};
   if (all_of(t.narrow)) return row;
   const RowEnds<F> ends = row_ends(t.frame, y);
   const auto center = [&](Integer<F> column) {
@@ -97,7 +71,7 @@ BLYSK_INLINE NormalRow<F> normal_row(const MixedNormals<F>& t, F y) {
 template <class F, class P, class Y>
 BLYSK_INLINE V3<P> unit_normal_at(const ShadeJob& job, const MixedNormals<F>& t, const NormalRow<F>& row, P x,
                                   Y y) {
-  const V3<P> n = or_viewer(t.normal.along(row.normal, x), viewer_at(job, x, y));
+  const V3<P> n = or_viewer(normal_along(t.normal, row.normal, x), viewer_at(job, x, y));
   const P scale = reciprocal_root(dot(n, n));
   return {n.x * scale, n.y * scale, n.z * scale};
 }

@@ -14,6 +14,8 @@
 namespace blysk::BLYSK_ISA {
 namespace {
 
+enum class Fit { row, paper, quadratic, cubic, weights };
+
 struct Row {
   template <class F>
   using Triangle = MixedNormals<F>;
@@ -122,8 +124,22 @@ BLYSK_INLINE V3<P> at_place(const V3<P>& a, const V3<P>& b, const Place9<P>& at)
   return {a.x * of_a + b.x * of_b, a.y * of_a + b.y * of_b, a.z * of_a + b.z * of_b};
 }
 
-// kFit is a ChebyshevRow or RowWeights.
-template <const auto& kFit>
+template <class P>
+BLYSK_INLINE V3<P> at_place(Fit fit, const V3<P>& a, const V3<P>& b, const Place9<P>& at) {
+  switch (fit) {
+    case Fit::paper:
+      return at_place<kChebyshevPaper>(a, b, at);
+    case Fit::quadratic:
+      return at_place<kChebyshevQuadratic>(a, b, at);
+    case Fit::cubic:
+      return at_place<kChebyshevCubic>(a, b, at);
+    case Fit::row:
+    case Fit::weights:
+      break;
+  }
+  return at_place<kRowWeightsCubic>(a, b, at);
+}
+
 struct Nines {
   template <class F>
   using Triangle = MixedNormals<F>;
@@ -143,7 +159,8 @@ struct Nines {
   // Pixels have their own normals where the ends say nothing of what is between them: nearly opposite, or of
   // a triangle whose rows are not known.
   template <class F, class P, class Y>
-  static BLYSK_INLINE V3<P> normal_at(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s, P x, Y y) {
+  static __attribute__((noinline)) void normal_at(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s,
+                                                  P x, Y y, V3<P>& n) {
     using I = Integer<P>;
     const P pixel(static_cast<float>(kSubpixels)), per_pixel(1.0f / kSubpixels);
     const I last = truncate((P(s.last) - P(s.first)) * per_pixel);
@@ -154,7 +171,7 @@ struct Nines {
     const V3<P> b = unit_normal_at(job, t, s, x0 + to_float(steps) * pixel, y);
     const P d = min(dot(a, b), P(select(t.narrow, F(-1.0f), F(1.0f))));
     const I k = column - start;
-    V3<P> n = at_place<kFit>(a, b, Place9<P>{d, k});
+    n = at_place(static_cast<Fit>(job.settings[0]), a, b, Place9<P>{d, k});
     const auto other = (steps < I(8)) | (d < P(0.0f));
     if (any(other)) {
       const P place = to_float(k + k) / max(to_float(steps), P(1.0f)) - P(1.0f);
@@ -162,32 +179,22 @@ struct Nines {
       const auto own = d < P(static_cast<float>(kLowestArc));
       if (any(own)) n = pick_normal(own, unit_normal_at(job, t, s, x, y), n);
     }
-    return n;
   }
 
   template <class F, class P, class Y>
   static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s, P x, Y y,
                                    P nearness) {
-    return light_unit(job, t.corners, normal_at(job, t, s, x, y), x, y, nearness);
+    V3<P> n;
+    normal_at(job, t, s, x, y, n);
+    return light_unit(job, t.corners, n, x, y, nearness);
   }
 };
 
 }  // namespace
 
 void shade_parallel(const ShadeJob& job) {
-  enum class Fit { row, paper, quadratic, cubic, weights };
-  switch (static_cast<Fit>(job.settings[0])) {
-    case Fit::row:
-      return shade_draw<Row, ColorSink>(job);
-    case Fit::paper:
-      return shade_draw<Nines<kChebyshevPaper>, ColorSink>(job);
-    case Fit::quadratic:
-      return shade_draw<Nines<kChebyshevQuadratic>, ColorSink>(job);
-    case Fit::cubic:
-      return shade_draw<Nines<kChebyshevCubic>, ColorSink>(job);
-    case Fit::weights:
-      return shade_draw<Nines<kRowWeightsCubic>, ColorSink>(job);
-  }
+  if (static_cast<Fit>(job.settings[0]) == Fit::row) return shade_draw<Row, ColorSink>(job);
+  shade_draw<Nines, ColorSink>(job);
 }
 
 }  // namespace blysk::BLYSK_ISA

@@ -15,7 +15,7 @@ struct Normals : Phong {
   static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& row, P x, Y y,
                                    P) {
     const V3<P> viewer = viewer_at(job, x, y);
-    const V3<P> n = normal_at(t, row, x, viewer);
+    const V3<P> n = or_viewer(normal_along(t.normal, row, x), viewer);
     P scale = P(1.0f) / sqrt(dot(n, n));
     scale = select(dot(n, viewer) < P(0.0f), P(0.0f) - scale, scale);
     return {n.x * scale, n.y * scale, n.z * scale};

@@ -5,7 +5,7 @@
 // instead of eleven.
 #pragma once
 
-#include "shading/corners.h"
+#include "shading/corner_light.h"
 #include "shading/determinant.h"
 
 namespace blysk::BLYSK_ISA {
@@ -61,43 +61,56 @@ BLYSK_INLINE Plane<F> plane_of(const PlaneFrame<F>& f, const F value[3]) {
   return p;
 }
 
+template <class F>
+BLYSK_INLINE F on_row(const Plane<F>& p, F down) {
+  return p.start + down * p.along_y;
+}
+template <class F, class P>
+BLYSK_INLINE P along_row(const Plane<F>& p, F row, P over) {
+  return P(row) + over * P(p.along_x);
+}
+
 /// A triangle's interpolated normal, up to one common factor of either sign.
 template <class F>
 struct NormalPlane {
-  Plane<F> x, y, z;
+  F x, y;  ///< of the frame
+  Plane<F> n[3];
 };
 
 /// Of world normals.
 template <class F>
 BLYSK_INLINE NormalPlane<F> normal_plane(const PlaneFrame<F>& f, const V3<F> normal[3]) {
-  F x[3], y[3], z[3];
-  for (int k = 0; k < 3; ++k) {
-    const F q = f.corners->q[k];
-    x[k] = normal[k].x * q;
-    y[k] = normal[k].y * q;
-    z[k] = normal[k].z * q;
+  const auto component = [&](F V3<F>::*of) {
+    F value[3];
+    for (int k = 0; k < 3; ++k) value[k] = normal[k].*of * f.corners->q[k];
+    return plane_of(f, value);
+  };
+  return {f.x, f.y, {component(&V3<F>::x), component(&V3<F>::y), component(&V3<F>::z)}};
+}
+
+/// What Phong shading starts from.
+template <class F>
+BLYSK_INLINE NormalPlane<F> fetch_normal_plane(const ShadeJob& job, const Corners<F>& c) {
+  V3<F> normal[3];
+  if (job.draw->normals == nullptr) {
+    normal[0] = normal[1] = normal[2] = face_normal(job, c);
+  } else {
+    for (int k = 0; k < 3; ++k) normal[k] = corner_normal(job, c, k);
   }
-  return {plane_of(f, x), plane_of(f, y), plane_of(f, z)};
+  return normal_plane(plane_frame(c), normal);
 }
 
-/// The value at x = frame.x of a row `down` below frame.y.
+/// Where x is that of the plane.
 template <class F>
-BLYSK_INLINE F on_row(const Plane<F>& p, F down) {
-  return p.start + down * p.along_y;
-}
-template <class F>
-BLYSK_INLINE V3<F> on_row(const NormalPlane<F>& n, F down) {
-  return {on_row(n.x, down), on_row(n.y, down), on_row(n.z, down)};
+BLYSK_INLINE V3<F> row_normal(const NormalPlane<F>& p, F y) {
+  const F down = y - p.y;
+  return {on_row(p.n[0], down), on_row(p.n[1], down), on_row(p.n[2], down)};
 }
 
-/// `over` to the right of that.
 template <class F, class P>
-BLYSK_INLINE P along_row(const Plane<F>& p, F row, P over) {
-  return P(row) + over * P(p.along_x);
-}
-template <class F, class P>
-BLYSK_INLINE V3<P> along_row(const NormalPlane<F>& n, const V3<F>& row, P over) {
-  return {along_row(n.x, row.x, over), along_row(n.y, row.y, over), along_row(n.z, row.z, over)};
+BLYSK_INLINE V3<P> normal_along(const NormalPlane<F>& p, const V3<F>& row, P x) {
+  const P over = x - P(p.x);
+  return {along_row(p.n[0], row.x, over), along_row(p.n[1], row.y, over), along_row(p.n[2], row.z, over)};
 }
 
 }  // namespace blysk::BLYSK_ISA

@@ -161,13 +161,13 @@ struct RowMethod {
   template <class F, class Y>
   static BLYSK_INLINE End<Y> end_at(const ShadeJob& job, const Triangle<F>& t, Y x, Y y) {
     const Phong::Triangle<F>& p = t.phong;
-    const Y over = x - Y(p.x), down = y - Y(p.y);
+    const Y over = x - Y(p.normal.x), down = y - Y(p.normal.y);
     const auto at = [&](const Plane<F>& q) __attribute__((always_inline)) {
       return (Y(q.start) + down * Y(q.along_y)) + over * Y(q.along_x);
     };
     End<Y> e;
     e.sight = viewer_at(job, x, y);
-    e.normal = made_unit(or_viewer(V3<Y>{at(p.normal.x), at(p.normal.y), at(p.normal.z)}, e.sight));
+    e.normal = made_unit(or_viewer(V3<Y>{at(p.normal.n[0]), at(p.normal.n[1]), at(p.normal.n[2])}, e.sight));
     e.depth = even_on_screen(job) ? Y(1.0f) : at(t.depth);
     return e;
   }
