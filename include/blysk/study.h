@@ -55,17 +55,17 @@ struct StudyReport {
 };
 
 struct StudyOptions {
-  int threads = 0;                                 ///< 0: one per processor; the report does not depend on it
-  std::vector<std::string> scenes;                 ///< names of the study's scenes; empty: all
-  std::vector<std::string> models;                 ///< files or shapes measured besides
-  Limits limits;                                   ///< for `models`
-  std::function<void(std::string_view)> progress;  ///< told what is measured next; may be empty
+  int threads = 0;                       ///< 0: one per processor; the report does not depend on it
+  std::vector<std::string> scenes = {};  ///< names of the study's scenes; empty: all
+  std::vector<std::string> models = {};  ///< files or shapes measured besides
+  Limits limits = {};                    ///< for `models`
+  std::function<void(std::string_view)> progress = {};  ///< told what is measured next; may be empty
 };
 
 /// Names of the scenes that study_abuffer() knows, in its order.
 [[nodiscard]] std::vector<std::string> abuffer_scenes();
 
-/// O. Romanyuk, S. Pavlov et al.: the modified A-buffer, every policy for lists that are full, and its
+/// O. Romaniuk, M. Kurinnyi et al.: the modified A-buffer, every policy for lists that are full, and its
 /// memory.
 [[nodiscard]] Result<StudyReport> study_abuffer(const StudyOptions& options = {});
 

@@ -13,7 +13,7 @@ import unittest
 
 from command import BLYSK, REPOSITORY, SQUARE, CommandTest, picture_hash, read_netpbm, read_png
 
-SUBCOMMANDS = ("render", "compare", "info", "methods", "verify", "man", "completion")
+SUBCOMMANDS = ("render", "compare", "info", "methods", "replicate", "verify", "man", "completion")
 
 
 def manual_rows():
@@ -408,6 +408,24 @@ class Others(CommandTest):
             for row in rows:
                 self.assertRegex(table, rf"(?m)^{kind} +{re.escape(row['name'])} ")
                 self.render("square.obj", f"--{kind}", row["name"], size="8x8")
+
+    def test_replicate(self):
+        os.mkdir(self.path("plots"))
+        page = self.run_command("replicate", "--scenes", "mesh-2k", "--markdown", "--plots", "plots")[0].decode()
+        self.assertTrue(page.startswith("# The modified A-buffer"))
+        for plot in re.findall(r"\]\((.*\.svg)\)", page):
+            self.assertTrue(self.read(plot).startswith(b"<svg "))
+        data = json.loads(self.run_command("replicate", "--scenes", "mesh-2k", "--json", "--threads=1")[0])
+        self.assertEqual(data["study"], "abuffer")
+        for section in data["sections"]:
+            for table in section["tables"]:
+                for row in table["rows"]:
+                    self.assertEqual(len(row), len(table["columns"]), table["title"])
+        self.assertEqual({claim["verdict"] for claim in data["claims"]} - {"confirmed", "partly", "refuted"}, set())
+        self.fails(2, "replicate", "--json", "--markdown")
+        self.fails(2, "replicate", "--scenes", "soup-7")
+        self.fails(3, "replicate", "--scenes", "mesh-2k", "missing.obj")
+        self.fails(4, "replicate", "--plots", "missing")
 
     def test_verify(self):
         output, errors = self.run_command("verify", "--threads=2")
