@@ -477,7 +477,7 @@ std::vector<Option> report_options() {
        .users = kReplicate,
        .without = "none",
        .example = "plots",
-       .help = "write the report's plots into this folder, as SVG; the Markdown shows them"},
+       .help = "write the report's plots (SVG) and pictures (PNG) into this folder; the Markdown shows them"},
       {.name = "print",
        .group = Group::report,
        .users = kVerify,

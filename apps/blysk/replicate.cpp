@@ -22,7 +22,7 @@ constexpr Study kStudies[] = {{"abuffer", study_abuffer}};
 Status write_plots(const StudyReport& report, const std::string& folder) {
   for (const StudySection& section : report.sections) {
     for (const StudyPlot& plot : section.plots) {
-      const Status status = write_file(plot.svg, plot_path(folder, plot.name));
+      const Status status = write_file(plot.bytes, plot_path(folder, plot.name));
       if (!status) return status.error();
     }
   }
@@ -42,7 +42,7 @@ Result<int> run_replicate(const Arguments& arguments) {
   if (as_json && as_markdown) return usage_error("--markdown", "cannot stand beside --json");
   const std::string plots = arguments.has("plots") ? arguments.text("plots") : "";
   if (!plots.empty()) {
-    const Status status = check_place(plot_path(plots, "plot"));
+    const Status status = check_place(plot_path(plots, "plot.svg"));
     if (!status) return status.error();
   }
 

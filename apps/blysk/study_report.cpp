@@ -84,7 +84,7 @@ Json table_json(const StudyTable& table) {
 }  // namespace
 
 std::string plot_path(const std::string& folder, const std::string& name) {
-  return (std::filesystem::path(folder) / (name + ".svg")).string();
+  return (std::filesystem::path(folder) / name).string();
 }
 
 std::string report_text(const StudyReport& report) {

@@ -24,10 +24,11 @@ struct StudyTable {
   std::vector<std::vector<StudyCell>> rows;  ///< each as long as `columns`
 };
 
+/// A picture of the report.
 struct StudyPlot {
-  std::string name;  ///< of a file, without extension
+  std::string name;  ///< of its file: .svg or .png
   std::string title;
-  std::string svg;
+  std::string bytes;
 };
 
 enum class Verdict { confirmed, partly, refuted };

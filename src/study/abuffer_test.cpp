@@ -7,6 +7,7 @@
 #include "blysk/study.h"
 #include "study/abuffer_results.h"
 #include "study/cells.h"
+#include "study/count_picture.h"
 #include "study/log_plot.h"
 
 namespace {
@@ -114,8 +115,30 @@ TEST(abuffer_study, reports_do_not_depend_on_threads) {
         }
       }
     }
-    for (std::size_t p = 0; p < a.plots.size(); ++p) EXPECT_EQ(a.plots[p].svg, b.plots[p].svg);
+    for (std::size_t p = 0; p < a.plots.size(); ++p) EXPECT_EQ(a.plots[p].bytes, b.plots[p].bytes);
   }
+}
+
+TEST(abuffer_turning, errors_are_those_of_its_frames) {
+  ThreadPool threads(2);
+  const auto result = measure_turning("xfighter", threads);
+  ASSERT_TRUE(result);
+  EXPECT_GT(result->moving, 0);
+  for (const TurningRow& row : result->rows) {
+    EXPECT_GT(row.mean, 0);
+    EXPECT_GE(row.worst, row.mean);
+    EXPECT_LT(row.worst, 0.01);
+    EXPECT_LT(row.flicker, 2 * row.worst);
+  }
+}
+
+TEST(count_picture, colours_by_count) {
+  const blysk::Image image = count_picture({0, 1, 2, 3, 4, 5, 6, 60}, 4);
+  EXPECT_EQ(image.height, 2);
+  EXPECT_EQ(image.pixels[0], 0xff000000u);
+  EXPECT_EQ(image.pixels[5], image.pixels[7]);
+  EXPECT_EQ(image.pixels[6], image.pixels[7]);
+  EXPECT_NE(image.pixels[4], image.pixels[5]);
 }
 
 TEST(abuffer_study, unknown_scenes_and_models_are_refused) {

@@ -413,8 +413,10 @@ class Others(CommandTest):
         os.mkdir(self.path("plots"))
         page = self.run_command("replicate", "--scenes", "mesh-2k", "--markdown", "--plots", "plots")[0].decode()
         self.assertTrue(page.startswith("# The modified A-buffer"))
-        for plot in re.findall(r"\]\((.*\.svg)\)", page):
-            self.assertTrue(self.read(plot).startswith(b"<svg "))
+        plots = re.findall(r"!\[[^]]+\]\((plots/[^)]+)\)", page)
+        self.assertEqual([os.path.splitext(plot)[1] for plot in plots], [".png", ".svg"])
+        self.assertEqual(read_png(self.read(plots[0])).width, 128)
+        self.assertTrue(self.read(plots[1]).startswith(b"<svg "))
         data = json.loads(self.run_command("replicate", "--scenes", "mesh-2k", "--json", "--threads=1")[0])
         self.assertEqual(data["study"], "abuffer")
         for section in data["sections"]:
