@@ -44,6 +44,19 @@ std::vector<std::string> with_all(std::vector<std::string> names) {
   return names;
 }
 
+std::vector<std::string> study_names() {
+  std::vector<std::string> names;
+  for (const Study& study : studies()) names.emplace_back(study.name);
+  return names;
+}
+
+std::string study_helps() {
+  std::vector<std::string> helps;
+  for (const Study& study : studies())
+    helps.push_back(std::string(study.name) + " is about " + std::string(study.help));
+  return join(helps, "; ");
+}
+
 std::vector<std::string> isa_names() {
   std::vector<std::string> names;
   for (const Isa isa : {Isa::best, Isa::scalar, Isa::sse4, Isa::avx2, Isa::avx512, Isa::neon}) {
@@ -62,6 +75,15 @@ std::vector<Option> output_options() {
        .example = "teapot.png",
        .help = "picture to write, in the format of its extension: .png, .ppm (no alpha) or .pfm (floats); "
                "- is standard output, a PNG unless --format says otherwise"},
+      {.name = "output",
+       .letter = 'o',
+       .type = Type::path,
+       .value = "DIR",
+       .group = Group::output,
+       .users = kReplicate,
+       .without = "no plots",
+       .example = "plots",
+       .help = "folder to write the plots to, as SVG"},
       {.name = "format",
        .type = Type::choice,
        .value = "FORMAT",
@@ -455,29 +477,25 @@ std::vector<Option> report_options() {
       {.name = "study",
        .type = Type::choice,
        .value = "NAME",
-       .group = Group::report,
+       .group = Group::work,
        .users = kReplicate,
        .choices = study_names(),
-       .initial = "abuffer",
-       .example = "abuffer",
-       .help = "the experiment: abuffer is the modified A-buffer's policies for full lists and its memory"},
+       .without = "all of them",
+       .example = "shading",
+       .help = "which of the papers' subjects is measured again: " + study_helps()},
       {.name = "scenes",
        .type = Type::choices,
        .value = "LIST",
-       .group = Group::report,
+       .group = Group::work,
        .users = kReplicate,
        .choices = abuffer_scenes(),
        .without = "all",
        .example = "soup-5,grass",
-       .help = "measure in these scenes only"},
-      {.name = "plots",
-       .type = Type::path,
-       .value = "DIR",
-       .group = Group::report,
+       .help = "with --study abuffer: measure in these scenes only"},
+      {.name = "quick",
+       .group = Group::work,
        .users = kReplicate,
-       .without = "none",
-       .example = "plots",
-       .help = "write the report's plots (SVG) and pictures (PNG) into this folder; the Markdown shows them"},
+       .help = "small pictures, few repetitions: to see that it works; the times mean little"},
       {.name = "print",
        .group = Group::report,
        .users = kVerify,
@@ -493,7 +511,7 @@ std::vector<Option> report_options() {
       {.name = "quiet",
        .letter = 'q',
        .group = Group::report,
-       .users = kDraw,
+       .users = kDraw | kReplicate,
        .help = "say nothing but errors"},
       {.name = "verbose",
        .letter = 'v',
@@ -579,6 +597,19 @@ const std::vector<Subcommand>& subcommands() {
                     {"compare expected.png actual.png --json", "the same for programs"},
                     {"compare shape:teapot --methods all --repeat 3 --report teapot.html",
                      "errors, times and pictures of all shading methods on one page"}}},
+      {.name = "replicate",
+       .user = kReplicate,
+       .run = run_replicate,
+       .help = "measure the papers' tables and claims again, and say which hold",
+       .operand = "[MODEL...]",
+       .operand_help =
+           "with --study abuffer: files or built-in shapes to measure besides the study's own scenes",
+       .least = 0,
+       .most = 100,
+       .examples = {{"replicate", "everything, in a few minutes"},
+                    {"replicate --study shading --json", "one subject, for programs"},
+                    {"replicate --study abuffer --scenes soup-5", "one scene"},
+                    {"replicate --markdown -o docs/images > docs/replication.md", "a page with plots"}}},
       {.name = "info",
        .user = kInfo,
        .run = run_info,
@@ -596,18 +627,6 @@ const std::vector<Subcommand>& subcommands() {
        .examples = {{"methods", "names, titles and sources"},
                     {"methods --json", "every field"},
                     {"methods --markdown", "for a web page"}}},
-      {.name = "replicate",
-       .user = kReplicate,
-       .run = run_replicate,
-       .help = "measure a paper's experiment again: its tables, and a verdict on each of its claims",
-       .operand = "[MODEL...]",
-       .operand_help = "files or built-in shapes to measure besides the study's own scenes",
-       .least = 0,
-       .most = 100,
-       .examples = {{"replicate --study abuffer --scenes mesh-2k", "one scene; all take a minute or two"},
-                    {"replicate --study abuffer --scenes mesh-2k --json", "the same for programs"},
-                    {"replicate --study abuffer --scenes mesh-2k --markdown --plots . > report.md",
-                     "a page with plots"}}},
       {.name = "verify",
        .user = kVerify,
        .run = run_verify,

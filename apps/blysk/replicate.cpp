@@ -12,18 +12,52 @@
 namespace blysk::command {
 namespace {
 
-struct Study {
-  std::string_view name;
-  Result<StudyReport> (*run)(const StudyOptions&);
-};
+Status check_options(const Arguments& arguments) {
+  if (arguments.has("json") && arguments.has("markdown")) {
+    return usage_error("--markdown", "cannot stand beside --json");
+  }
+  const bool chosen = arguments.has("study");
+  for (const Study& study : studies()) {
+    if (chosen && study.name == arguments.text("study") && study.has_scenes) return Done{};
+  }
+  for (const char* of_scenes : {"scenes", "max-triangles", "max-memory", "threads"}) {
+    if (arguments.has(of_scenes)) {
+      return usage_error("--" + std::string(of_scenes), "is for a study with scenes: --study abuffer");
+    }
+  }
+  if (!arguments.operands().empty()) {
+    return usage_error(arguments.operands().front(), "models are for a study with scenes: --study abuffer");
+  }
+  return Done{};
+}
 
-constexpr Study kStudies[] = {{"abuffer", study_abuffer}};
+Result<std::vector<StudyReport>> run_studies(const Arguments& arguments) {
+  Progress progress(!arguments.has("quiet"));
+  StudyOptions options;
+  options.threads = threads_of(arguments);
+  options.quick = arguments.has("quick");
+  options.limits = limits_of(arguments);
+  options.models = arguments.operands();
+  if (arguments.has("scenes")) options.scenes = split(arguments.text("scenes"), ',');
+  options.progress = [&](std::string_view what) { progress.phase("measuring " + std::string(what)); };
+  std::vector<StudyReport> reports;
+  for (const Study& study : studies()) {
+    if (arguments.has("study") && arguments.text("study") != study.name) continue;
+    Result<StudyReport> report = study.run(options);
+    if (!report) return report.error();
+    reports.push_back(std::move(*report));
+  }
+  progress.finish();
+  return reports;
+}
 
-Status write_plots(const StudyReport& report, const std::string& folder) {
-  for (const StudySection& section : report.sections) {
-    for (const StudyPlot& plot : section.plots) {
-      const Status status = write_file(plot.bytes, plot_path(folder, plot.name));
-      if (!status) return status.error();
+Status write_plots(const std::vector<StudyReport>& reports, const std::string& folder) {
+  for (const StudyReport& report : reports) {
+    for (const StudySection& section : report.sections) {
+      for (const StudyPlot& plot : section.plots) {
+        const Status status = write_file(plot.bytes, plot_path(folder, plot.name));
+        if (!status) return status;
+      }
     }
   }
   return Done{};
@@ -31,40 +65,20 @@ Status write_plots(const StudyReport& report, const std::string& folder) {
 
 }  // namespace
 
-std::vector<std::string> study_names() {
-  std::vector<std::string> names;
-  for (const Study& study : kStudies) names.emplace_back(study.name);
-  return names;
-}
-
 Result<int> run_replicate(const Arguments& arguments) {
-  const bool as_json = arguments.has("json"), as_markdown = arguments.has("markdown");
-  if (as_json && as_markdown) return usage_error("--markdown", "cannot stand beside --json");
-  const std::string plots = arguments.has("plots") ? arguments.text("plots") : "";
-  if (!plots.empty()) {
-    const Status status = check_place(plot_path(plots, "plot.svg"));
-    if (!status) return status.error();
+  if (const Status status = check_options(arguments); !status) return status.error();
+  const std::string folder = arguments.has("output") ? arguments.text("output") : "";
+  if (!folder.empty()) {
+    if (const Status status = check_place(plot_path(folder, "plot")); !status) return status.error();
   }
-
-  Progress progress(true);
-  StudyOptions options;
-  options.threads = threads_of(arguments);
-  options.limits = limits_of(arguments);
-  options.models = arguments.operands();
-  if (arguments.has("scenes")) options.scenes = split(arguments.text("scenes"), ',');
-  options.progress = [&](std::string_view what) { progress.phase("measuring " + std::string(what)); };
-  const auto study = std::ranges::find(kStudies, arguments.text("study"), &Study::name);
-  const Result<StudyReport> report = study->run(options);
-  progress.finish();
-  if (!report) return report.error();
-
-  if (!plots.empty()) {
-    const Status status = write_plots(*report, plots);
-    if (!status) return status.error();
+  const Result<std::vector<StudyReport>> reports = run_studies(arguments);
+  if (!reports) return reports.error();
+  if (!folder.empty()) {
+    if (const Status status = write_plots(*reports, folder); !status) return status.error();
   }
-  const Status status = as_json       ? print_json(report_json(*report))
-                        : as_markdown ? print(report_markdown(*report, plots))
-                                      : print(report_text(*report));
+  const Status status = arguments.has("json")       ? print_json(reports_json(*reports))
+                        : arguments.has("markdown") ? print(reports_markdown(*reports, folder))
+                                                    : print(reports_text(*reports));
   if (!status) return status.error();
   return 0;
 }

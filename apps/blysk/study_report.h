@@ -1,7 +1,8 @@
-// study_report.h - a study's report as text, Markdown or JSON.
+// study_report.h - the studies' reports as text, Markdown or JSON.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "blysk/study.h"
 #include "json.h"
@@ -10,9 +11,11 @@ namespace blysk::command {
 
 [[nodiscard]] std::string plot_path(const std::string& folder, const std::string& name);
 
-[[nodiscard]] std::string report_text(const StudyReport& report);
-/// `plots` is the folder of the plots' files, as the page shall name it; empty: they are left out.
-[[nodiscard]] std::string report_markdown(const StudyReport& report, const std::string& plots);
-[[nodiscard]] Json report_json(const StudyReport& report);
+[[nodiscard]] std::string reports_text(const std::vector<StudyReport>& reports);
+/// One page. `folder` is that of the plots' files as seen from the working directory; a leading "docs/" is
+/// left out, as the page itself lies there. Empty: there are no plots.
+[[nodiscard]] std::string reports_markdown(const std::vector<StudyReport>& reports,
+                                           const std::string& folder);
+[[nodiscard]] Json reports_json(const std::vector<StudyReport>& reports);
 
 }  // namespace blysk::command

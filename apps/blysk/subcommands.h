@@ -1,9 +1,6 @@
 // subcommands.h - what each subcommand runs, one file each.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "arguments.h"
 #include "blysk/result.h"
 
@@ -18,8 +15,5 @@ namespace blysk::command {
 [[nodiscard]] Result<int> run_verify(const Arguments& arguments);
 [[nodiscard]] Result<int> run_man(const Arguments& arguments);
 [[nodiscard]] Result<int> run_completion(const Arguments& arguments);
-
-/// What --study of `blysk replicate` may be.
-[[nodiscard]] std::vector<std::string> study_names();
 
 }  // namespace blysk::command

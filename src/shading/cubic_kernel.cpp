@@ -2,8 +2,8 @@
 // four values of N.L and of cos^n of every lamp.
 //
 // Based on: the shading thesis, chapter 2.2, section 5 of its specification; the robust form of the
-// coefficients (5.2) with an exact third. Differs in: samples are what Phong shading shows at their points,
-// perspective and near lamps included; rows of up to four pixels are lit pixel by pixel.
+// coefficients (5.2) unless the printed one is asked for. Differs in: samples are what Phong shading shows at
+// their points, perspective and near lamps included; rows of up to four pixels are lit pixel by pixel.
 #include "shading/lit_triangle.h"
 #include "shading/shade_tile.h"
 #include "simd/kernels.h"
@@ -19,21 +19,34 @@ struct Polynomial {
   F a, b, c, d;  // ((a p + b) p + c) p + d
 };
 
-template <class F>
+// How a third is taken: divided by 3, 1/2 - 1/8 - 1/32 - 1/128, the same in the formulas as printed.
+enum class Third { exact, shift, printed };
+
+template <Third kThird, class F>
 BLYSK_INLINE Polynomial<F> fit(const F i[kSamples]) {
   const F three(3.0f), four(4.0f), eight(8.0f);
+  const F third(kThird == Third::exact ? 1.0f / 3.0f : 43.0f / 128.0f);
+  Polynomial<F> q;
+  q.d = i[0];
+  if constexpr (kThird == Third::printed) {
+    q.a = eight * (i[1] + eight * i[3]) * third - eight * (i[0] + F(2.0f) * i[2]);
+    q.b = F(2.0f) * (((F(7.0f) * i[0] - i[1]) + F(10.0f) * i[2]) - F(16.0f) * i[3]);
+    q.c = ((i[1] + F(32.0f) * i[3]) * third - F(7.0f) * i[0]) - four * i[2];
+    return q;
+  }
   // The third difference: 0 for any parabola, so that a constant stays constant.
   const F difference = ((i[1] - three * i[0]) - F(6.0f) * i[2]) + eight * i[3];
-  const F u = difference * F(1.0f / 3.0f);
-  Polynomial<F> q;
+  const F u = difference * third;
   q.a = eight * u;
   q.c = u + F(2.0f) * ((four * i[3] - three * i[0]) - i[2]);
   q.b = ((i[1] - i[0]) - q.a) - q.c;
-  q.d = i[0];
   return q;
 }
 
+template <Third kThird>
 struct Cubic {
+  static constexpr int kSpanPixels = 3;
+
   template <class F>
   struct Triangle {
     LitTriangle<F> lit;
@@ -90,10 +103,10 @@ struct Cubic {
     for (int lamp = 0; lamp < s.lamps; ++lamp) {
       F values[kSamples];
       for (int i = 0; i < kSamples; ++i) values[i] = terms[i].cos_l[lamp];
-      span.cos_l[lamp] = fit(values);
+      span.cos_l[lamp] = fit<kThird>(values);
       if (s.model == LightingModel::lambert) continue;
       for (int i = 0; i < kSamples; ++i) values[i] = terms[i].lobe[lamp];
-      span.lobe[lamp] = fit(values);
+      span.lobe[lamp] = fit<kThird>(values);
     }
     return span;
   }
@@ -118,6 +131,15 @@ struct Cubic {
 
 }  // namespace
 
-void shade_cubic(const ShadeJob& job) { shade_draw<Cubic, ColorSink>(job); }
+void shade_cubic(const ShadeJob& job) {
+  switch (static_cast<Third>(job.settings[0])) {
+    case Third::exact:
+      return shade_draw<Cubic<Third::exact>, ColorSink>(job);
+    case Third::shift:
+      return shade_draw<Cubic<Third::shift>, ColorSink>(job);
+    case Third::printed:
+      return shade_draw<Cubic<Third::printed>, ColorSink>(job);
+  }
+}
 
 }  // namespace blysk::BLYSK_ISA

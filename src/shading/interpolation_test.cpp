@@ -110,23 +110,6 @@ TEST(quadratic_reference, is_the_specification) {
     EXPECT_NEAR(s.at(r.p3.x / 2, r.p3.y / 2), r.samples.i13, 1e-12);
     EXPECT_NEAR(s.at((r.p2.x + r.p3.x) / 2, (r.p2.y + r.p3.y) / 2), r.samples.i23, 1e-12);
   }
-  // R4: x, y, I(x), the first difference, I(x + 8).
-  const struct {
-    int surface;
-    double x, y, value, difference, eighth;
-  } rows[] = {{0, -4, 6, 0.811571335, -0.0257725181, 0.480210388},
-              {0, 0, 9, 0.804881657, -0.0323142669, 0.421186719},
-              {1, 3, 5, 0.57265625, 0.02265625, 0.36015625},
-              {2, 8, 7, 0.549466509, -0.0114300592, 0.277023432},
-              {3, 0, 4, 0.551010702, 0.00484904504, 0.522794293}};
-  for (const auto& r : rows) {
-    const SurfaceRow& of = kSurfaces[r.surface];
-    const auto s = reference::second_order_surface(of.p2, of.p3, of.samples);
-    EXPECT_NEAR(s.at(r.x, r.y), r.value, 1e-9);
-    EXPECT_NEAR(s.difference(r.x, r.y), r.difference, 1e-10);
-    EXPECT_NEAR(s.at(r.x + 1, r.y) - s.at(r.x, r.y), r.difference, 1e-10);
-    EXPECT_NEAR(s.at(r.x + 8, r.y), r.eighth, 1e-9);
-  }
 }
 
 // R5.
@@ -211,32 +194,61 @@ struct LitPicture {
     return compose(terms, w);
   }
 
-  [[nodiscard]] Vec3d quadratic(int column, int row) const {
+  [[nodiscard]] Vec3d quadratic(int column, int row) const { return quadratic(column, row, 0); }
+  [[nodiscard]] Vec3d quadratic_in_fours(int column, int row) const { return quadratic(column, row, 2); }
+
+  // Segments of 2^bits pixels.
+  [[nodiscard]] Vec3d quadratic(int column, int row, int bits) const {
     if (double(std::abs(triangle.area())) < 12 * 65536.0) return directly(column, row);
     const reference::Place &a = triangle.corner[0], &b = triangle.corner[1], &c = triangle.corner[2];
     const auto pixels = [&](const reference::Place& p) {
       return Vec2<double>{double(p.x - a.x) / 256, double(p.y - a.y) / 256};
     };
-    const double x = column + 0.5 - double(a.x) / 256, y = row + 0.5 - double(a.y) / 256;
+    const double y = row + 0.5 - double(a.y) / 256;
+    const auto x = [&](int of) { return of + 0.5 - double(a.x) / 256; };
+    const std::pair<int, int> ends = row_ends(column, row);
+    const int first = ends.first, last = ends.second;
+    const int length = 1 << bits, within = (column - first) % length, begin = column - within;
     std::vector<Vec2<double>> terms;
     for (const Light& light : lighting.lights) {
       const Vec2<double> i1 = sample(light, {1, 0, 0}), i2 = sample(light, {0, 1, 0}),
                          i3 = sample(light, {0, 0, 1}), i12 = sample(light, {0.5, 0.5, 0}),
                          i13 = sample(light, {0.5, 0, 0.5}), i23 = sample(light, {0, 0.5, 0.5});
-      const auto fit = [&](auto of) {
-        return reference::second_order_surface(pixels(b), pixels(c),
-                                               {of(i1), of(i2), of(i3), of(i12), of(i13), of(i23)});
+      const auto value = [&](auto of) {
+        const auto surface = reference::second_order_surface(
+            pixels(b), pixels(c), {of(i1), of(i2), of(i3), of(i12), of(i13), of(i23)});
+        if (begin + length > last) return surface.at(x(column), y);
+        const double from = surface.at(x(begin), y);
+        return from + surface.segment_difference(x(begin), y, bits) * within / length;
       };
-      terms.push_back({fit([](Vec2<double> v) { return v.x; }).at(x, y),
-                       fit([](Vec2<double> v) { return v.y; }).at(x, y)});
+      terms.push_back({value([](Vec2<double> v) { return v.x; }), value([](Vec2<double> v) { return v.y; })});
     }
     return compose(terms, weights(column + 0.5, row + 0.5));
   }
 
-  [[nodiscard]] Vec3d cubic(int column, int row) const {
+  // First and last covered column of a covered pixel's row.
+  [[nodiscard]] std::pair<int, int> row_ends(int column, int row) const {
     int first = column, last = column;
     while (reference::covers(triangle, first - 1, row)) --first;
     while (reference::covers(triangle, last + 1, row)) ++last;
+    return {first, last};
+  }
+
+  [[nodiscard]] Vec3d cubic(int column, int row) const {
+    return cubic(column, row, [](const FourSamples& i) { return reference::row_cubic(i); });
+  }
+  [[nodiscard]] Vec3d cubic_by_shifts(int column, int row) const {
+    return cubic(column, row, [](const FourSamples& i) { return reference::row_cubic(i, 43.0 / 128); });
+  }
+  [[nodiscard]] Vec3d printed_cubic(int column, int row) const {
+    return cubic(column, row,
+                 [](const FourSamples& i) { return reference::printed_row_cubic(i, 43.0 / 128); });
+  }
+
+  template <class Fit>
+  [[nodiscard]] Vec3d cubic(int column, int row, Fit fit) const {
+    const std::pair<int, int> ends = row_ends(column, row);
+    const int first = ends.first, last = ends.second;
     if (last - first < 4) return directly(column, row);
     const auto at = [&](double p) { return weights(first + 0.5 + p * (last - first), row + 0.5); };
     std::vector<Vec2<double>> terms;
@@ -244,8 +256,7 @@ struct LitPicture {
       const Vec2<double> i1 = sample(light, at(0)), i2 = sample(light, at(1)), i3 = sample(light, at(0.5)),
                          i4 = sample(light, at(0.25));
       const double p = double(column - first) / (last - first);
-      terms.push_back({reference::row_cubic({i1.x, i2.x, i3.x, i4.x}).at(p),
-                       reference::row_cubic({i1.y, i2.y, i3.y, i4.y}).at(p)});
+      terms.push_back({fit({i1.x, i2.x, i3.x, i4.x}).at(p), fit({i1.y, i2.y, i3.y, i4.y}).at(p)});
     }
     return compose(terms, at(double(column - first) / (last - first)));
   }
@@ -366,6 +377,17 @@ void compare_with(const char* method, Reference reference) {
 TEST(gouraud_constant, is_its_reference) { compare_with("gouraud-constant", &LitPicture::gouraud_constant); }
 TEST(quadratic, is_its_reference) { compare_with("quadratic", &LitPicture::quadratic); }
 TEST(cubic, is_its_reference) { compare_with("cubic", &LitPicture::cubic); }
+TEST(cubic, by_shifts_is_its_reference) { compare_with("cubic:third=shift", &LitPicture::cubic_by_shifts); }
+TEST(cubic, as_printed_is_its_reference) { compare_with("cubic:third=printed", &LitPicture::printed_cubic); }
+TEST(quadratic, every_form_is_the_reference) {
+  for (const char* form : {"direct", "step", "pair", "triple", "values", "values-shift"}) {
+    compare_with((std::string("quadratic:form=") + form).c_str(), &LitPicture::quadratic);
+  }
+}
+TEST(quadratic, in_segments_is_its_reference) {
+  compare_with("quadratic:segments=4", &LitPicture::quadratic_in_fours);
+  compare_with("quadratic:form=pair,segments=4", &LitPicture::quadratic_in_fours);
+}
 
 // The thesis' experiment: how far from Phong shading.
 double nmse_of_spheres(const char* method, int detail) {
@@ -384,23 +406,33 @@ double nmse_of_spheres(const char* method, int detail) {
   return compare(phong.image, frame.image)->nmse;
 }
 
-// Bounds a little above what was measured; the classes are those of the thesis' Table 4.1.
+// Measured values, a twentieth above and below. The classes are those of the thesis' Table 4.1.
 TEST(interpolation, spheres) {
   constexpr int kDetails[] = {10, 25, 50, 100};
   const struct {
     const char* method;
-    double most[4];
-  } rows[] = {{"gouraud-constant", {0.0045, 0.00025, 0.00003, 0.000005}},
-              {"quadratic", {0.00065, 0.00006, 0.00001, 0.000005}},
-              {"cubic", {0.0001, 0.00005, 0.00001, 0.000005}}};
+    double nmse[4];
+  } rows[] = {{"gouraud-constant", {4.302e-3, 2.295e-4, 2.486e-5, 4.250e-6}},
+              {"quadratic", {6.166e-4, 4.700e-5, 7.087e-6, 2.808e-6}},
+              {"cubic", {8.249e-5, 4.184e-5, 6.736e-6, 2.767e-6}}};
   for (const auto& row : rows) {
     for (int i = 0; i < 4; ++i) {
       const double nmse = nmse_of_spheres(row.method, kDetails[i]);
-      EXPECT_LE(nmse, row.most[i]) << row.method << ", detail " << kDetails[i] << ": " << nmse_class(nmse);
-      const std::string name = std::string(row.method) + "_" + std::to_string(kDetails[i]);
-      RecordProperty(name, std::to_string(nmse * 1e6) + "e-6, " + std::string(nmse_class(nmse)));
+      EXPECT_NEAR(nmse, row.nmse[i], 0.05 * row.nmse[i])
+          << row.method << ", detail " << kDetails[i] << ": " << nmse_class(nmse);
     }
   }
+}
+
+// Table 4.2 says 0.00019 for the surface and 0.00015 for the cubic, at most, of pictures that the thesis does
+// not describe (erratum E68). On its scene these are the values of spheres of about 13 and 8 slices; what is
+// left on fine spheres lies in the rim, where Phong shading turns normals that face away pixel by pixel, and
+// interpolated light is of one side a triangle.
+TEST(interpolation, table_4_2) {
+  EXPECT_GT(nmse_of_spheres("quadratic", 12), 0.00019);
+  EXPECT_LT(nmse_of_spheres("quadratic", 14), 0.00019);
+  EXPECT_NEAR(nmse_of_spheres("cubic", 8), 0.00015, 0.00001);
+  EXPECT_LT(nmse_of_spheres("cubic", 10), 0.0001);
 }
 
 }  // namespace

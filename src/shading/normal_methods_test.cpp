@@ -161,10 +161,14 @@ TEST(normal_methods, spheres_look_like_phong) {
         RecordProperty(std::string(shading.name) + "-" + std::to_string(detail) + "-" +
                            std::to_string(static_cast<int>(shininess)),
                        std::to_string(d.nmse * 1e6));
-        // A length that is wrong by 0.3 % on flat faces dims or brightens a highlight by its power.
-        const bool exact_where_flat =
-            shading.inverse_length == &kInverseLengthCubic || shading.mid_vector == &kMidVectorMinimax;
-        EXPECT_LT(d.nmse, exact_where_flat ? 5e-5 : shininess < 50 ? 5e-4 : 2e-3);
+        // A length that is wrong by 0.3 % on flat faces dims or brightens a highlight by its power: by 6 %
+        // and 35 %, however fine the mesh. Bounds are a tenth above what was measured.
+        const bool shines = shininess > 50;
+        const double most = shading.inverse_length == &kInverseLengthCubic ? (shines ? 2.8e-5 : 1.1e-5)
+                            : shading.mid_vector == &kMidVectorMinimax     ? (shines ? 9.4e-6 : 8.1e-6)
+                            : shading.inverse_length != nullptr            ? (shines ? 1.36e-3 : 2.8e-4)
+                                                                           : (shines ? 2.16e-3 : 4.4e-4);
+        EXPECT_LT(d.nmse, most);
         EXPECT_GT(d.different_pixels, 0u);
       }
     }

@@ -2,51 +2,12 @@
 //
 // Based on: B. T. Phong. Illumination for computer generated pictures. 1975. Thesis, section 3.3 of the
 // specification.
-#include "shading/normal_plane.h"
+#include "shading/phong.h"
 #include "shading/shade_tile.h"
 #include "simd/kernels.h"
 
 namespace blysk::BLYSK_ISA {
 namespace {
-
-struct Phong {
-  template <class F>
-  struct Triangle {
-    Corners<F> corners;
-    NormalPlane<F> normal;
-  };
-  template <class F>
-  using Span = V3<F>;
-
-  template <class F>
-  static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
-    Triangle<F> t;
-    t.corners = fetch_corners<F>(job, index);
-    V3<F> normal[3];
-    if (job.draw->normals == nullptr) {
-      normal[0] = normal[1] = normal[2] = face_normal(job, t.corners);
-    } else {
-      for (int k = 0; k < 3; ++k) normal[k] = fetch3<F>(job.draw->normals, t.corners.vertex[k]);
-    }
-    t.normal = normal_plane(job, t.corners, normal);
-    return t;
-  }
-
-  template <class F>
-  static BLYSK_INLINE Span<F> set_up_span(const ShadeJob&, const Triangle<F>& t, F y) {
-    return row_normal(t.normal, y);
-  }
-
-  template <class F, class P, class Y>
-  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& row, P x, Y y,
-                                   P nearness) {
-    const V3<P> viewer = viewer_at(job, x, y);
-    const V3<P> n = or_viewer(normal_along(t.normal, row, x), viewer);
-    const auto where = [&] { return point_at(job, x, y, nearness, viewer); };
-    const Intensity<P> light = light_point(job.draw->surface, n, viewer, where);
-    return compose(job, t.corners, x, y, light);
-  }
-};
 
 // World normals instead of colours, unit and towards the viewer, for the picture of normals.
 struct Normals : Phong {

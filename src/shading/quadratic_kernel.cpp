@@ -3,9 +3,11 @@
 //
 // Based on: the shading thesis, chapter 2.1, section 4 of its specification. Differs in: the surface is
 // written in the triangle's own coordinates s and v (shading/row.h), in which slender triangles lose no
-// digits; a row is P0 + v (P1 + v P2); samples are what Phong shading shows at their points, perspective and
-// near lamps included; a triangle of fewer pixels than samples is lit pixel by pixel.
+// digits; the formulas of a row are read as in shading/second_order.h; samples are what Phong shading shows
+// at their points, perspective and near lamps included; a triangle of fewer pixels than samples is lit pixel
+// by pixel.
 #include "shading/lit_triangle.h"
+#include "shading/second_order.h"
 #include "shading/shade_tile.h"
 #include "simd/kernels.h"
 
@@ -16,42 +18,10 @@ constexpr int kSamples = 6;
 // Twice the area of kSamples pixels, in subpixels.
 constexpr float kDirectArea = 2.0f * kSamples * kSubpixels * kSubpixels;
 
-// f + s (a + c s) + v ((b + e s) + d v), where s runs down the long edge and v over to the middle corner.
-template <class F>
-struct SecondOrder {
-  F f, a, c, b, e, d;
-};
-
-// What a row leaves of it.
-template <class F>
-struct RowParabola {
-  F p0, p1;
-};
-
-// From values at top, bottom, middle, and between top-bottom, top-middle, bottom-middle.
-template <class F>
-BLYSK_INLINE SecondOrder<F> fit(const F i[kSamples], F bend) {
-  const F two(2.0f), four(4.0f);
-  SecondOrder<F> q;
-  q.f = i[0];
-  q.a = four * i[3] - (F(3.0f) * i[0] + i[1]);
-  q.c = two * (i[0] + i[1]) - four * i[3];
-  const F b = four * i[4] - (F(3.0f) * i[0] + i[2]);
-  const F d = two * (i[0] + i[2]) - four * i[4];
-  const F e = four * ((i[0] + i[5]) - (i[3] + i[4]));
-  // u, the bottom corner's weight, is s - bend v.
-  q.b = b - bend * q.a;
-  q.e = e - bend * (two * q.c);
-  q.d = d - bend * (e - bend * q.c);
-  return q;
-}
-
-template <class F>
-BLYSK_INLINE RowParabola<F> along_row(const SecondOrder<F>& q, F s) {
-  return {q.f + s * (q.a + s * q.c), q.b + s * q.e};
-}
-
+template <RowForm kForm, bool kSegments>
 struct Quadratic {
+  static constexpr int kSpanPixels = 3;
+
   template <class F>
   struct Triangle {
     LitTriangle<F> lit;
@@ -62,6 +32,7 @@ struct Quadratic {
   template <class F>
   struct Span {
     RowStart<F> row;
+    RowEnds<F> ends;
     RowParabola<F> cos_l[kMaxLamps], lobe[kMaxLamps];
   };
 
@@ -94,10 +65,10 @@ struct Quadratic {
     for (int lamp = 0; lamp < s.lamps; ++lamp) {
       F values[kSamples];
       for (int i = 0; i < kSamples; ++i) values[i] = terms[i].cos_l[lamp];
-      t.cos_l[lamp] = fit(values, t.frame.bend);
+      t.cos_l[lamp] = second_order(values, t.frame.bend);
       if (s.model == LightingModel::lambert) continue;
       for (int i = 0; i < kSamples; ++i) values[i] = terms[i].lobe[lamp];
-      t.lobe[lamp] = fit(values, t.frame.bend);
+      t.lobe[lamp] = second_order(values, t.frame.bend);
     }
     return t;
   }
@@ -106,8 +77,9 @@ struct Quadratic {
   static BLYSK_INLINE Span<F> set_up_span(const ShadeJob& job, const Triangle<F>& t, F y) {
     Span<F> span;
     span.row = row_start(t.frame, y);
-    const Surface& s = job.draw->surface;
     if (all(t.direct)) return span;
+    if constexpr (kSegments || runs_along(kForm)) span.ends = row_ends(t.frame, y);
+    const Surface& s = job.draw->surface;
     for (int lamp = 0; lamp < s.lamps; ++lamp) {
       span.cos_l[lamp] = along_row(t.cos_l[lamp], span.row.s);
       if (s.model != LightingModel::lambert) span.lobe[lamp] = along_row(t.lobe[lamp], span.row.s);
@@ -120,9 +92,13 @@ struct Quadratic {
                                    P nearness) {
     const Surface& s = job.draw->surface;
     return finish(job, t.lit, t.direct, ScreenPoint<P>{x, P(y), nearness}, y, [&](Intensity<P>& sum) {
-      const P v = right_of(t.frame, span.row, x) * P(t.frame.over);
-      const auto at = [&](const RowParabola<F>& row, const SecondOrder<F>& q) {
-        return P(row.p0) + v * (P(row.p1) + v * P(q.d));
+      const FormedRow<F> row{t.frame, span.row, span.ends.first, span.ends.last};
+      const auto at = [&](const RowParabola<F>& parabola, const SecondOrder<F>& q) {
+        if constexpr (kSegments) {
+          return row.segment_value(static_cast<RowForm>(job.settings[0]), job.settings[1], q, parabola, x);
+        } else {
+          return row.template value<kForm>(q, parabola, x);
+        }
       };
       for (int lamp = 0; lamp < s.lamps; ++lamp) {
         const P cos_l = at(span.cos_l[lamp], t.cos_l[lamp]);
@@ -135,6 +111,24 @@ struct Quadratic {
 
 }  // namespace
 
-void shade_quadratic(const ShadeJob& job) { shade_draw<Quadratic, ColorSink>(job); }
+void shade_quadratic(const ShadeJob& job) {
+  if (job.settings[1] != 0) return shade_draw<Quadratic<RowForm::horner, true>, ColorSink>(job);
+  switch (static_cast<RowForm>(job.settings[0])) {
+    case RowForm::horner:
+      return shade_draw<Quadratic<RowForm::horner, false>, ColorSink>(job);
+    case RowForm::direct:
+      return shade_draw<Quadratic<RowForm::direct, false>, ColorSink>(job);
+    case RowForm::step:
+      return shade_draw<Quadratic<RowForm::step, false>, ColorSink>(job);
+    case RowForm::pair:
+      return shade_draw<Quadratic<RowForm::pair, false>, ColorSink>(job);
+    case RowForm::triple:
+      return shade_draw<Quadratic<RowForm::triple, false>, ColorSink>(job);
+    case RowForm::values:
+      return shade_draw<Quadratic<RowForm::values, false>, ColorSink>(job);
+    case RowForm::values_shift:
+      return shade_draw<Quadratic<RowForm::values_shift, false>, ColorSink>(job);
+  }
+}
 
 }  // namespace blysk::BLYSK_ISA

@@ -67,7 +67,15 @@ struct Strays {
 };
 
 /// Below this many pixels a run they are gathered: a span's set-up costs as much as a few gathered pixels.
-inline constexpr int kSpanPixels = 12;
+/// Methods with a costly set-up, which gathered pixels repeat, have a kSpanPixels of their own.
+template <class Method>
+constexpr int span_pixels() {
+  if constexpr (requires { Method::kSpanPixels; }) {
+    return Method::kSpanPixels;
+  } else {
+    return 12;
+  }
+}
 
 /// Pixel centres in subpixels.
 template <int kRegisters>
@@ -82,7 +90,9 @@ class DrawShader {
   explicit BLYSK_INLINE DrawShader(const ShadeJob& job)
       : job_(job),
         first_id_(static_cast<std::int32_t>(job.draw->id_base)),
-        last_id_(static_cast<std::int32_t>(job.draw->id_base + job.draw->id_count - 1)) {}
+        last_id_(static_cast<std::int32_t>(job.draw->id_base + job.draw->id_count - 1)) {
+    for (std::int32_t& index : known_) index = -1;
+  }
 
   BLYSK_INLINE void shade() {
     for (int row = 0; row < job_.height; ++row) {
@@ -93,6 +103,9 @@ class DrawShader {
   }
 
  private:
+  using Triangle = typename Method::template Triangle<float>;
+  static constexpr int kKept = 16;
+
   // Shades the pixels from `column` on; returns how many columns are done.
   BLYSK_INLINE int shade_block(int row, int column, float y) {
     const int at = row * kTileSize + column;
@@ -102,7 +115,7 @@ class DrawShader {
     if (mine == 0) return kLanes;
     // The last pixels of runs, in this block of sixteen.
     const unsigned ends = mine & (to_bits(id != load(job_.buffers->id + at + 1)) | 1u << (kLanes - 1));
-    if (__builtin_popcount(ends) * kSpanPixels > __builtin_popcount(mine)) {
+    if (__builtin_popcount(ends) * span_pixels<Method>() > __builtin_popcount(mine)) {
       gather_strays(lanes_of(mine), id, at);
       return kLanes;
     }
@@ -123,19 +136,22 @@ class DrawShader {
            to_bits(load(job_.buffers->id + at + kLanes) == same) == (1u << kLanes) - 1;
   }
 
-  BLYSK_INLINE void set_up(int at) {
+  BLYSK_INLINE const Triangle& set_up(int at) {
     const auto index = static_cast<std::int32_t>(job_.buffers->id[at] - job_.draw->id_base);
-    if (index == known_) return;
-    triangle_ = Method::template set_up_triangle<float>(job_, index);
-    known_ = index;
+    const int place = index & (kKept - 1);
+    if (index != known_[place]) {
+      triangles_[place] = Method::template set_up_triangle<float>(job_, index);
+      known_[place] = index;
+    }
+    return triangles_[place];
   }
 
   BLYSK_INLINE void shade_wide(int at, int column, float y) {
-    set_up(at);
+    const Triangle& triangle = set_up(at);
     const F32Wide x = centers(iota<kWideParts>(job_.x + column));
     const F32Wide nearness = load_wide(job_.buffers->nearness + at);
     Sink::whole(job_, at,
-                Method::shade(job_, triangle_, Method::set_up_span(job_, triangle_, y), x, y, nearness));
+                Method::shade(job_, triangle, Method::set_up_span(job_, triangle, y), x, y, nearness));
   }
 
   BLYSK_INLINE void shade_runs(int at, int column, float y, unsigned mine, unsigned ends) {
@@ -143,10 +159,10 @@ class DrawShader {
     const F32 nearness = load(job_.buffers->nearness + at);
     for (unsigned left = mine; left != 0;) {
       const unsigned run = left & ((2u << __builtin_ctz(ends & left)) - 1);
-      set_up(at + __builtin_ctz(left));
+      const Triangle& triangle = set_up(at + __builtin_ctz(left));
       left &= ~run;
-      const auto span = Method::set_up_span(job_, triangle_, y);
-      Sink::row(job_, at, lanes_of(run), Method::shade(job_, triangle_, span, x, y, nearness));
+      const auto& span = Method::set_up_span(job_, triangle, y);
+      Sink::row(job_, at, lanes_of(run), Method::shade(job_, triangle, span, x, y, nearness));
     }
   }
 
@@ -184,8 +200,9 @@ class DrawShader {
 
   const ShadeJob& job_;
   const I32 first_id_, last_id_;
-  typename Method::template Triangle<float> triangle_;
-  std::int32_t known_ = -1;  // the triangle that triangle_ was set up for
+  // Triangles come back row after row: the last ones stay set up, one of each remainder.
+  Triangle triangles_[kKept];
+  std::int32_t known_[kKept];
   Strays strays_;
 };
 

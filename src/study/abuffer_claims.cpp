@@ -26,11 +26,11 @@ StudyClaim merging_beats_discarding(const SceneResult& s, Overflow merge, std::s
   if (!better.empty()) measured.append("; not better than").append(better);
   return {.claim = std::move(claim),
           .scene = s.name,
-          .claimed = "merging has the lower NMSE (N = 3)",
-          .measured = std::move(measured),
-          .verdict = beaten == std::size(kDiscards) ? Verdict::confirmed
-                     : beaten > 0                   ? Verdict::partly
-                                                    : Verdict::refuted};
+          .claimed = word("merging has the lower NMSE (N = 3)"),
+          .measured = {{"", word(std::move(measured))}},
+          .verdict = beaten == std::size(kDiscards) ? Verdict::holds
+                     : beaten > 0                   ? Verdict::in_part
+                                                    : Verdict::fails};
 }
 
 // 36 dB: an error that shows only to who looks for it. 30 dB: one that shows.
@@ -42,11 +42,12 @@ StudyClaim three_suffice(const SceneResult& s) {
   };
   return {.claim = "three fragments suffice",
           .scene = s.name,
-          .claimed = "N = 3 is enough, in complex scenes too",
-          .measured = decibels(Overflow::m0) + ", " + decibels(Overflow::m1) + ", " + decibels(Overflow::m5),
-          .verdict = psnr >= 36   ? Verdict::confirmed
-                     : psnr >= 30 ? Verdict::partly
-                                  : Verdict::refuted};
+          .claimed = word("N = 3 is enough, in complex scenes too"),
+          .measured = {{"", word(decibels(Overflow::m0) + ", " + decibels(Overflow::m1) + ", " +
+                                 decibels(Overflow::m5))}},
+          .verdict = psnr >= 36   ? Verdict::holds
+                     : psnr >= 30 ? Verdict::in_part
+                                  : Verdict::fails};
 }
 
 StudyClaim memory_saved(const SceneResult& s, double high, std::string claimed) {
@@ -60,12 +61,13 @@ StudyClaim memory_saved(const SceneResult& s, double high, std::string claimed) 
   }
   return {.claim = "a common pool saves memory",
           .scene = s.name,
-          .claimed = std::move(claimed),
-          .measured = fixed_text(least, 2) + " to " + fixed_text(most, 2) + " times less, " +
-                      std::to_string(inside) + " of " + std::to_string(s.memory.size()) + " splits inside",
-          .verdict = inside == s.memory.size() ? Verdict::confirmed
-                     : inside > 0              ? Verdict::partly
-                                               : Verdict::refuted};
+          .claimed = word(std::move(claimed)),
+          .measured = {{"", word(fixed_text(least, 2) + " to " + fixed_text(most, 2) + " times less, " +
+                                 std::to_string(inside) + " of " + std::to_string(s.memory.size()) +
+                                 " splits inside")}},
+          .verdict = inside == s.memory.size() ? Verdict::holds
+                     : inside > 0              ? Verdict::in_part
+                                               : Verdict::fails};
 }
 
 }  // namespace

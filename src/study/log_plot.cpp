@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
+
+#include "study/svg.h"
 
 namespace blysk::study {
 namespace {
@@ -15,26 +16,8 @@ constexpr double kWidth = 250, kHeight = 170, kLeft = 46, kTop = 46, kGap = 50;
 constexpr std::array<std::string_view, 8> kColors = {"#000000", "#e69f00", "#56b4e9", "#d55e00",
                                                      "#0072b2", "#009e73", "#cc79a7", "#999999"};
 
-std::string text_of(double value) {  // a tenth of a pixel is enough
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, 1);
-  return {digits, end.ptr};
-}
-
-std::string escaped(std::string_view text) {
-  std::string all;
-  for (const char c : text) all += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return all;
-}
-
-std::string label(double x, double y, std::string_view anchor, std::string_view text) {
-  return "<text x=\"" + text_of(x) + "\" y=\"" + text_of(y) + "\" text-anchor=\"" + std::string(anchor) +
-         "\">" + escaped(text) + "</text>\n";
-}
-
-std::string line(double x1, double y1, double x2, double y2, std::string_view color) {
-  return "<line x1=\"" + text_of(x1) + "\" y1=\"" + text_of(y1) + "\" x2=\"" + text_of(x2) + "\" y2=\"" +
-         text_of(y2) + "\" stroke=\"" + std::string(color) + "\"/>\n";
+std::string anchored(double x, double y, std::string_view anchor, std::string_view text) {
+  return svg_text(x, y, text, std::string("text-anchor=\"") + std::string(anchor) + "\"");
 }
 
 class Frame {
@@ -46,13 +29,13 @@ class Frame {
   }
 
   [[nodiscard]] std::string draw(const Panel& panel) const {
-    std::string svg = label(left_ + kWidth / 2, top_ - 6, "middle", panel.title);
+    std::string svg = anchored(left_ + kWidth / 2, top_ - 6, "middle", panel.title);
     for (int power = options_.y_low; power <= options_.y_high; ++power) {
-      svg += line(left_, row(power), left_ + kWidth, row(power), "#dddddd");
-      svg += label(left_ - 4, row(power) + 3, "end", std::to_string(power).insert(0, "1e"));
+      svg += svg_line(left_, row(power), left_ + kWidth, row(power), "#dddddd");
+      svg += anchored(left_ - 4, row(power) + 3, "end", std::to_string(power).insert(0, "1e"));
     }
     for (int x = static_cast<int>(options_.x_low); x <= static_cast<int>(options_.x_high); ++x) {
-      svg += label(column(x), top_ + kHeight + 14, "middle", std::to_string(x));
+      svg += anchored(column(x), top_ + kHeight + 14, "middle", std::to_string(x));
     }
     for (std::size_t i = 0; i < panel.curves.size(); ++i) svg += curve(panel.curves[i], i);
     return svg;
@@ -69,7 +52,7 @@ class Frame {
   [[nodiscard]] std::string curve(const Curve& c, std::size_t index) const {
     std::string points;
     for (const auto& [x, y] : c.points) {
-      points += text_of(column(x)) + "," + text_of(row(y > 0 ? std::log10(y) : options_.y_low)) + " ";
+      points += svg_number(column(x)) + "," + svg_number(row(y > 0 ? std::log10(y) : options_.y_low)) + " ";
       if (!(y > 0)) break;  // nothing is left to improve
     }
     return "<polyline fill=\"none\" stroke=\"" + std::string(kColors[index % kColors.size()]) +
@@ -87,16 +70,13 @@ std::string log_plot(const std::vector<Panel>& panels, const LogPlotOptions& opt
   const std::size_t rows = (panels.size() + columns - 1) / columns;
   const double width = kLeft + static_cast<double>(columns) * (kWidth + kGap) - kGap + 12,
                height = kTop + static_cast<double>(rows) * (kHeight + kGap);
-  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + text_of(width) + " " +
-                    text_of(height) +
-                    "\" font-family=\"sans-serif\" font-size=\"10\">\n<rect width=\"100%\" height=\"100%\" "
-                    "fill=\"#ffffff\"/>\n";
+  std::string svg = svg_head(width, height, 10);
   double at = kLeft;
   for (std::size_t i = 0; !panels.empty() && i < panels.front().curves.size(); ++i, at += 70) {
-    svg += line(at, 14, at + 18, 14, kColors[i % kColors.size()]);
-    svg += label(at + 22, 17, "start", panels.front().curves[i].name);
+    svg += svg_line(at, 14, at + 18, 14, kColors[i % kColors.size()]);
+    svg += anchored(at + 22, 17, "start", panels.front().curves[i].name);
   }
-  svg += label(width - 12, 17, "end", options.y_label + " against " + options.x_label);
+  svg += anchored(width - 12, 17, "end", options.y_label + " against " + options.x_label);
   for (std::size_t i = 0; i < panels.size(); ++i) svg += Frame(options, i).draw(panels[i]);
   return svg + "</svg>\n";
 }

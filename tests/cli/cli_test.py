@@ -409,26 +409,6 @@ class Others(CommandTest):
                 self.assertRegex(table, rf"(?m)^{kind} +{re.escape(row['name'])} ")
                 self.render("square.obj", f"--{kind}", row["name"], size="8x8")
 
-    def test_replicate(self):
-        os.mkdir(self.path("plots"))
-        page = self.run_command("replicate", "--scenes", "mesh-2k", "--markdown", "--plots", "plots")[0].decode()
-        self.assertTrue(page.startswith("# The modified A-buffer"))
-        plots = re.findall(r"!\[[^]]+\]\((plots/[^)]+)\)", page)
-        self.assertEqual([os.path.splitext(plot)[1] for plot in plots], [".png", ".svg"])
-        self.assertEqual(read_png(self.read(plots[0])).width, 128)
-        self.assertTrue(self.read(plots[1]).startswith(b"<svg "))
-        data = json.loads(self.run_command("replicate", "--scenes", "mesh-2k", "--json", "--threads=1")[0])
-        self.assertEqual(data["study"], "abuffer")
-        for section in data["sections"]:
-            for table in section["tables"]:
-                for row in table["rows"]:
-                    self.assertEqual(len(row), len(table["columns"]), table["title"])
-        self.assertEqual({claim["verdict"] for claim in data["claims"]} - {"confirmed", "partly", "refuted"}, set())
-        self.fails(2, "replicate", "--json", "--markdown")
-        self.fails(2, "replicate", "--scenes", "soup-7")
-        self.fails(3, "replicate", "--scenes", "mesh-2k", "missing.obj")
-        self.fails(4, "replicate", "--plots", "missing")
-
     def test_verify(self):
         output, errors = self.run_command("verify", "--threads=2")
         lines = output.decode().splitlines()
