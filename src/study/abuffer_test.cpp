@@ -94,8 +94,8 @@ TEST(abuffer_study, merging_as_printed_is_the_worst_and_wards_pair_the_best) {
   EXPECT_EQ(result.least(Overflow::d1, -1), std::nullopt);
   const auto claims = abuffer_claims(result);
   ASSERT_EQ(claims.size(), 6u);
-  EXPECT_EQ(claims[0].verdict, blysk::Verdict::refuted);
-  EXPECT_EQ(claims[2].verdict, blysk::Verdict::confirmed);
+  EXPECT_EQ(claims[0].verdict, blysk::Verdict::fails);
+  EXPECT_EQ(claims[2].verdict, blysk::Verdict::holds);
 }
 
 TEST(abuffer_study, reports_do_not_depend_on_threads) {
