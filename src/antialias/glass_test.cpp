@@ -6,8 +6,8 @@
 #include <cstring>
 #include <numeric>
 
-#include "antialias/sample_testing.h"
 #include "blysk/shapes.h"
+#include "render/sample_testing.h"
 
 namespace blysk {
 namespace {

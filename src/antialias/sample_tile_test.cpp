@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "antialias/sample_testing.h"
 #include "blysk/methods.h"
 #include "blysk/shapes.h"
+#include "render/sample_testing.h"
 
 namespace blysk {
 namespace {

@@ -1,4 +1,4 @@
-// antialias/sample_testing.h - random triangles whose samples are known to the last bit of coverage.
+// render/sample_testing.h - random triangles whose samples are known to the last bit of coverage.
 #pragma once
 
 #include <algorithm>
