@@ -189,7 +189,8 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
                    &plan.view.rays,
                    options.interpolation == Interpolation::screen,
                    options.transfer,
-                   plan.shading.values.data()};
+                   plan.shading.values.data(),
+                   options.max_error};
   if (covered > 0) shade_draws(worker, shading, shade);
   if (options.want_normal) {
     worker.normals.assign(3 * kTilePixels, 0.0f);

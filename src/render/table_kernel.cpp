@@ -14,6 +14,7 @@ constexpr ShadingKernel kShadings[] = {
     {"cubic", shade_cubic},
     {"fast-normalize", shade_fast_normalize},
     {"barycentric", shade_barycentric},
+    {"auto", shade_auto},
 };
 }
 

@@ -23,6 +23,7 @@ void support(const Vec3f* points, std::size_t count, const Vec3f* axis, float* r
 void assemble_triangles(AssembleJob& job);
 int rasterize_tile(const TileJob& job);
 void store_tile(const TileBuffers& tile, int width, int rows, std::uint32_t* to, std::size_t stride);
+void shade_auto(const ShadeJob& job);
 void shade_barycentric(const ShadeJob& job);
 void shade_fast_normalize(const ShadeJob& job);
 void shade_flat(const ShadeJob& job);
