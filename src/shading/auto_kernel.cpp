@@ -79,12 +79,25 @@ class Planes {
     return {row_[1][4 * number + 3], row_[2][4 * number + 3], rgb(0), rgb(1), rgb(2), 0, true};
   }
 
-  // Of sixteen pixels; returns which of them are Phong's.
-  BLYSK_INLINE unsigned gather(I32 numbers, LinearLight<F32>& light) const {
+  // Of sixteen pixels of `count` neighbouring runs, whose triangles' numbers are given; `run` says of which
+  // each pixel is. Returns which pixels are Phong's.
+  BLYSK_INLINE unsigned gather(const std::int32_t* numbers, int count, I32 run,
+                               LinearLight<F32>& light) const {
     F32 phong[4], x[4], y[4];
-    gather_rows<4>(row_[0], numbers, phong);
-    gather_rows<4>(row_[1], numbers, x);
-    gather_rows<4>(row_[2], numbers, y);
+#if HWY_TARGET == HWY_AVX3
+    if (__builtin_expect(count <= kFew, 1)) {
+      spread(row_[0], numbers, run, phong);
+      spread(row_[1], numbers, run, x);
+      spread(row_[2], numbers, run, y);
+    } else
+#endif
+    {
+      const I32 number = blysk::BLYSK_ISA::gather(reinterpret_cast<const std::uint32_t*>(numbers),
+                                                  min(max(run, I32(0)), I32(count - 1)));
+      gather_rows<4>(row_[0], number, phong);
+      gather_rows<4>(row_[1], number, x);
+      gather_rows<4>(row_[2], number, y);
+    }
     light = {x[3], y[3], {phong[0], phong[1], phong[2]}, {x[0], x[1], x[2]}, {y[0], y[1], y[2]}, {}, {}};
     return to_bits(phong[3] > F32(0.0f));
   }
@@ -94,6 +107,26 @@ class Planes {
     store_interleaved(bits_of(c.x), bits_of(c.y), bits_of(c.z), bits_of(fourth),
                       reinterpret_cast<std::int32_t*>(row_[row] + 4 * at));
   }
+
+#if HWY_TARGET == HWY_AVX3
+  static constexpr int kFew = 8;  // runs whose rows two registers hold
+
+  // What gather_rows() gives, with a load for every run instead of every pixel.
+  static BLYSK_INLINE void spread(const float* rows, const std::int32_t* numbers, I32 run, F32 columns[4]) {
+    const hn::Full128<float> row_tag;
+    const hn::Full256<float> half;
+    const auto row = [&](int i) { return hn::LoadU(row_tag, rows + 4 * numbers[i]); };
+    const auto four = [&](int i) {
+      return hn::Combine(FloatTag(), hn::Combine(half, row(i + 3), row(i + 2)),
+                         hn::Combine(half, row(i + 1), row(i)));
+    };
+    const auto low = four(0), high = four(4);
+    const I32 first = shift_left<2>(run);
+    for (int k = 0; k < 4; ++k) {
+      columns[k].part[0].raw = _mm512_permutex2var_ps(low.raw, (first + I32(k)).part[0].raw, high.raw);
+    }
+  }
+#endif
 
   alignas(64) float row_[3][4 * (Census::kMost + 1 + kLanes)];
 };
@@ -105,9 +138,11 @@ class AutoShader {
   BLYSK_INLINE void shade() {
     for (int row = 0; row < job_.height;) {
       census_.clear();
+      runs_ = 0;
       const int first = row;
       while (row < job_.height && census_.has_room_for_row()) number_row(row++);
       if (census_.count() == 0) continue;
+      store(I32(0), run_ + runs_);
       planes_.set_up(job_, census_.triangles(), census_.count());
       for (int r = first; r < row; ++r) {
         for (int column = 0; column < job_.width;) column += shade_block(r, column);
@@ -119,7 +154,7 @@ class AutoShader {
  private:
   BLYSK_INLINE void number_row(int row) {
     const I32 first(static_cast<std::int32_t>(job_.draw->id_base));
-    std::int32_t triangle[kTileSize + kLanes], at[kTileSize + kLanes];  // of runs
+    std::int32_t triangle[kTileSize + kLanes], at[kTileSize + kLanes];
     int runs = 0;
     for (int column = 0; column < job_.width; column += kLanes) {
       const unsigned mine = phong_.own_pixels(row, column);
@@ -132,7 +167,10 @@ class AutoShader {
       runs += store_compressed(starts, iota(here), at + runs);
     }
     // What a run writes too much is overwritten by those that follow.
-    for (int i = 0; i < runs; ++i) store(I32(census_.number(triangle[i])), number_ + at[i]);
+    for (int i = 0; i < runs; ++i) {
+      run_[runs_] = census_.number(triangle[i]);
+      store(I32(runs_++), run_of_ + at[i]);
+    }
   }
 
   BLYSK_INLINE int shade_block(int row, int column) {
@@ -141,15 +179,16 @@ class AutoShader {
     const int at = row * kTileSize + column;
     const float y = static_cast<float>((job_.y + row) * kSubpixels + kSubpixels / 2);
     const F32 x = centers(iota(job_.x + column));
-    const I32 numbers = load(number_ + at);
-    const std::int32_t number = number_[at + __builtin_ctz(mine)];
-    if ((mine & ~to_bits(numbers == I32(number))) == 0) {
-      if (planes_.is_phong(number)) return phong_.shade_block(row, column, mine);
-      put(at, mine, shown_at(planes_.of(number), x, y));
+    const std::int32_t first = run_of_[at + __builtin_ctz(mine)];
+    const std::int32_t last = run_of_[at + 31 - __builtin_clz(mine)];
+    if (first == last) {
+      if (planes_.is_phong(run_[first])) return phong_.shade_block(row, column, mine);
+      put(at, mine, shown_at(planes_.of(run_[first]), x, y));
       return kLanes;
     }
     LinearLight<F32> light;
-    const unsigned phong = mine & planes_.gather(select(lanes_of(mine), numbers, I32(0)), light);
+    const I32 run = load(run_of_ + at) - I32(first);
+    const unsigned phong = mine & planes_.gather(run_ + first, last - first + 1, run, light);
     if (phong != mine) put(at, mine & ~phong, shown_at(light, x, y));
     return phong == 0 ? kLanes : phong_.shade_block(row, column, phong);
   }
@@ -166,7 +205,9 @@ class AutoShader {
   DrawShader<Phong, ColorSink> phong_;
   Census census_;
   Planes planes_;
-  std::int32_t number_[kTilePixels + kLanes];  // of the triangle of each pixel
+  // Runs of one triangle in a row, at most one a pixel: their triangles' numbers, and the run of each pixel.
+  int runs_ = 0;
+  std::int32_t run_[kTilePixels + kLanes], run_of_[kTilePixels + kLanes];
 };
 
 }  // namespace
