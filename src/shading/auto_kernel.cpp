@@ -27,14 +27,15 @@ class Census {
   BLYSK_INLINE std::int32_t number(std::int32_t triangle) {
     std::uint32_t at = (static_cast<std::uint32_t>(triangle) * 2654435769u) >> (32 - kBits);
     std::int32_t number = place_[at];
-    while (__builtin_expect(number != 0 && triangle_[number] != triangle, 0)) {
+    // Whether it is new cannot be foreseen: nothing branches on that alone.
+    while (__builtin_expect(static_cast<int>(number != 0) & static_cast<int>(triangle_[number] != triangle),
+                            0)) {
       at = (at + 1) & (kPlaces - 1);
       number = place_[at];
     }
-    // Whether it is new cannot be foreseen: no branch.
-    const int is_new = number == 0;
+    const int is_new = static_cast<int>(number == 0);
     count_ += is_new;
-    number = is_new != 0 ? count_ : number;
+    number |= -is_new & count_;
     triangle_[number] = triangle;
     place_[at] = static_cast<std::uint16_t>(number);
     return number;
