@@ -132,9 +132,9 @@ BLYSK_INLINE void light_lobe(const Surface& surface, const Lamp& lamp, const Sta
   out.sound = out.sound & (shortest > s.turn + s.turn);
   const F turn = s.turn / max(shortest - s.turn, F(1e-6f));  // of the half vector
   const F range = spread(z);
-  // Two reciprocal roots are up to 7.5e-7 off, which the lobe multiplies.
+  // Two reciprocal roots are up to 1.2e-6 off, which the lobe multiplies.
   const F shift = (s.chord * turn + s.ratio * (range + turn + turn)) * F(1.0f / 3.0f) +
-                  F(1.5f) * turn * turn + F(1.6e-6f);
+                  F(1.5f) * turn * turn + F(2.5e-6f);
   // The lobe is base^k, base = 1 - scale (1 - z): it, its slope and its bend are largest where z is.
   const bool power = surface.lobe == Lobe::power;
   const float k = power ? surface.shininess : static_cast<float>(surface.lobe_exponent);
