@@ -1,7 +1,8 @@
 // Triangles into bins, and bins into visible pixels: one layer of equal right triangles over 1920x1080
 // pixels.
-#include "pipeline.h"
 #include "report.h"
+#include "scenes.h"
+#include "study/pipeline.h"
 
 namespace blysk::bench {
 namespace {
@@ -20,7 +21,7 @@ Stage layers(const benchmark::State& state) {
 
 void assemble(benchmark::State& state) {
   const Stage stage = layers(state);
-  Pipeline pipeline(stage, kWidth, kHeight, isa_argument(state));
+  study::Pipeline pipeline(stage.scene, aimed_options(stage, kWidth, kHeight), isa_argument(state));
   for (auto _ : state) pipeline.assemble();
   report(state, static_cast<double>(pipeline.triangles()), "triangle");
   state.counters["bin_bytes"] = static_cast<double>(pipeline.bytes());
@@ -28,7 +29,7 @@ void assemble(benchmark::State& state) {
 
 void rasterize(benchmark::State& state) {
   const Stage stage = layers(state);
-  Pipeline pipeline(stage, kWidth, kHeight, isa_argument(state));
+  study::Pipeline pipeline(stage.scene, aimed_options(stage, kWidth, kHeight), isa_argument(state));
   for (auto _ : state) benchmark::DoNotOptimize(pipeline.rasterize());
   report(state, static_cast<double>(pipeline.triangles()), "triangle");
   state.counters["pixels/s"] =

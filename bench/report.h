@@ -7,7 +7,7 @@
 #include <string>
 
 #include "blysk/render.h"
-#include "clock.h"
+#include "study/clock.h"
 
 namespace blysk::bench {
 
@@ -17,8 +17,8 @@ inline void report(benchmark::State& state, double items, const std::string& uni
   using benchmark::Counter;
   state.SetItemsProcessed(static_cast<std::int64_t>(static_cast<double>(state.iterations()) * items));
   state.counters["cycles/" + unit] =
-      Counter(items / clock_hz(), Counter::kIsIterationInvariantRate | Counter::kInvert);
-  state.counters["GHz"] = clock_hz() * 1e-9;
+      Counter(items / study::clock_hz(), Counter::kIsIterationInvariantRate | Counter::kInvert);
+  state.counters["GHz"] = study::clock_hz() * 1e-9;
 }
 
 /// The instruction set that argument 0 counts, named in the label.

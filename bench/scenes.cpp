@@ -216,4 +216,10 @@ RenderOptions frame_options(int width, int height) {
   return options;
 }
 
+RenderOptions aimed_options(const Stage& stage, int width, int height) {
+  RenderOptions options = frame_options(width, height);
+  aim(stage, 0, options);
+  return options;
+}
+
 }  // namespace blysk::bench

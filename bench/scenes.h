@@ -29,5 +29,7 @@ void aim(const Stage& stage, double turn, RenderOptions& options);
 
 /// What all frames share: two-sided Phong shading with Blinn's lobe, nothing culled, no transfer function.
 [[nodiscard]] RenderOptions frame_options(int width, int height);
+/// Both, for the first frame.
+[[nodiscard]] RenderOptions aimed_options(const Stage& stage, int width, int height);
 
 }  // namespace blysk::bench

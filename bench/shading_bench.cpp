@@ -1,7 +1,8 @@
 // Visible pixels to colours: 256x256 pixels, whose sixteen tiles stay in a second-level cache, under one
 // layer of equal right triangles.
-#include "pipeline.h"
 #include "report.h"
+#include "scenes.h"
+#include "study/pipeline.h"
 
 namespace blysk::bench {
 namespace {
@@ -12,9 +13,10 @@ constexpr int kSide = 256;
 void shade(benchmark::State& state, const char* method) {
   const std::int64_t area = state.range(1);
   const Stage stage = *make_stage(area == 0 ? "quad" : "tris:" + std::to_string(area) + ":1", kSide, kSide);
-  Pipeline pipeline(stage, kSide, kSide, isa_argument(state));
+  study::Pipeline pipeline(stage.scene, aimed_options(stage, kSide, kSide), isa_argument(state));
+  const MethodChoice choice = *choose_method(MethodKind::shading, method);
   pipeline.keep_tiles();
-  for (auto _ : state) pipeline.shade(method);
+  for (auto _ : state) pipeline.shade(choice);
   report(state, double{kSide} * kSide, "pixel");
 }
 

@@ -8,6 +8,7 @@
 #include "blysk/methods.h"
 #include "blysk/model.h"
 #include "blysk/render.h"
+#include "blysk/study.h"
 #include "subcommands.h"
 #include "text.h"
 
@@ -43,6 +44,19 @@ std::vector<std::string> with_all(std::vector<std::string> names) {
   return names;
 }
 
+std::vector<std::string> study_names() {
+  std::vector<std::string> names;
+  for (const Study& study : studies()) names.emplace_back(study.name);
+  return names;
+}
+
+std::string study_helps() {
+  std::vector<std::string> helps;
+  for (const Study& study : studies())
+    helps.push_back(std::string(study.name) + " is about " + std::string(study.help));
+  return join(helps, "; ");
+}
+
 std::vector<std::string> isa_names() {
   std::vector<std::string> names;
   for (const Isa isa : {Isa::best, Isa::scalar, Isa::sse4, Isa::avx2, Isa::avx512, Isa::neon}) {
@@ -61,6 +75,15 @@ std::vector<Option> output_options() {
        .example = "teapot.png",
        .help = "picture to write, in the format of its extension: .png, .ppm (no alpha) or .pfm (floats); "
                "- is standard output, a PNG unless --format says otherwise"},
+      {.name = "output",
+       .letter = 'o',
+       .type = Type::path,
+       .value = "DIR",
+       .group = Group::output,
+       .users = kReplicate,
+       .without = "no plots",
+       .example = "plots",
+       .help = "folder to write the plots to, as SVG"},
       {.name = "format",
        .type = Type::choice,
        .value = "FORMAT",
@@ -390,7 +413,7 @@ std::vector<Option> work_options() {
        .type = Type::integer,
        .value = "N",
        .group = Group::work,
-       .users = kDraw | kInfo | kVerify,
+       .users = kDraw | kInfo | kVerify | kReplicate,
        .low = 1,
        .high = 1024,
        .without = "one per processor",
@@ -419,7 +442,7 @@ std::vector<Option> work_options() {
        .type = Type::integer,
        .value = "N",
        .group = Group::work,
-       .users = kDraw | kInfo,
+       .users = kDraw | kInfo | kReplicate,
        .low = 1,
        .high = kExact,
        .initial = std::to_string(Limits{}.max_triangles),
@@ -429,7 +452,7 @@ std::vector<Option> work_options() {
        .type = Type::bytes,
        .value = "BYTES",
        .group = Group::work,
-       .users = kDraw | kInfo,
+       .users = kDraw | kInfo | kReplicate,
        .low = 1,
        .high = kExact,
        .initial = std::to_string(Limits{}.max_memory >> 30) + "G",
@@ -461,19 +484,44 @@ std::vector<Option> report_options() {
        .example = "2",
        .help =
            "pictures of which no channel differs by more count as equal; beside --max-nmse both must hold"},
+      {.name = "study",
+       .type = Type::choice,
+       .value = "NAME",
+       .group = Group::work,
+       .users = kReplicate,
+       .choices = study_names(),
+       .without = "all of them",
+       .example = "shading",
+       .help = "which of the papers' subjects is measured again: " + study_helps()},
+      {.name = "scenes",
+       .type = Type::choices,
+       .value = "LIST",
+       .group = Group::work,
+       .users = kReplicate,
+       .choices = abuffer_scenes(),
+       .without = "all",
+       .example = "soup-5,grass",
+       .help = "with --study abuffer: measure in these scenes only"},
+      {.name = "quick",
+       .group = Group::work,
+       .users = kReplicate,
+       .help = "small pictures, few repetitions: to see that it works; the times mean little"},
       {.name = "print",
        .group = Group::report,
        .users = kVerify,
        .help = "print the table of hashes that this build gives, for its source, and compare nothing"},
       {.name = "json",
        .group = Group::report,
-       .users = kDraw | kInfo | kMethods | kVerify,
+       .users = kDraw | kInfo | kMethods | kVerify | kReplicate,
        .help = "make standard output one JSON document"},
-      {.name = "markdown", .group = Group::report, .users = kMethods | kMan, .help = "print Markdown"},
+      {.name = "markdown",
+       .group = Group::report,
+       .users = kMethods | kMan | kReplicate,
+       .help = "print Markdown"},
       {.name = "quiet",
        .letter = 'q',
        .group = Group::report,
-       .users = kDraw,
+       .users = kDraw | kReplicate,
        .help = "say nothing but errors"},
       {.name = "verbose",
        .letter = 'v',
@@ -559,6 +607,19 @@ const std::vector<Subcommand>& subcommands() {
                     {"compare expected.png actual.png --json", "the same for programs"},
                     {"compare shape:teapot --methods all --repeat 3 --report teapot.html",
                      "errors, times and pictures of all shading methods on one page"}}},
+      {.name = "replicate",
+       .user = kReplicate,
+       .run = run_replicate,
+       .help = "measure the papers' tables and claims again, and say which hold",
+       .operand = "[MODEL...]",
+       .operand_help =
+           "with --study abuffer: files or built-in shapes to measure besides the study's own scenes",
+       .least = 0,
+       .most = 100,
+       .examples = {{"replicate", "everything, in a few minutes"},
+                    {"replicate --study shading --json", "one subject, for programs"},
+                    {"replicate --study abuffer --scenes soup-5", "one scene"},
+                    {"replicate --markdown -o docs/images > docs/replication.md", "a page with plots"}}},
       {.name = "info",
        .user = kInfo,
        .run = run_info,

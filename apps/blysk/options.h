@@ -53,6 +53,7 @@ enum Users : unsigned {
   kMan = 16,
   kCompletion = 32,
   kCompare = 64,
+  kReplicate = 128,
   kDraw = kRender | kCompare,
 };
 

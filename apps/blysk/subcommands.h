@@ -11,6 +11,7 @@ namespace blysk::command {
 [[nodiscard]] Result<int> run_compare(const Arguments& arguments);
 [[nodiscard]] Result<int> run_info(const Arguments& arguments);
 [[nodiscard]] Result<int> run_methods(const Arguments& arguments);
+[[nodiscard]] Result<int> run_replicate(const Arguments& arguments);
 [[nodiscard]] Result<int> run_verify(const Arguments& arguments);
 [[nodiscard]] Result<int> run_man(const Arguments& arguments);
 [[nodiscard]] Result<int> run_completion(const Arguments& arguments);

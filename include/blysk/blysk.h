@@ -8,4 +8,5 @@
 #include "blysk/render.h"   // IWYU pragma: export
 #include "blysk/scene.h"    // IWYU pragma: export
 #include "blysk/shapes.h"   // IWYU pragma: export
+#include "blysk/study.h"    // IWYU pragma: export
 #include "blysk/version.h"  // IWYU pragma: export

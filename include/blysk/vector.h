@@ -49,7 +49,8 @@ constexpr Vec3<T> cross(Vec3<T> a, Vec3<T> b) {
 
 template <class T>
 T length(Vec3<T> a) {
-  return std::sqrt(dot(a, a));
+  using std::sqrt;
+  return sqrt(dot(a, a));
 }
 
 /// Unit vector along `a`; `fallback` where `a` is zero or not finite.

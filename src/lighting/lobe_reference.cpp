@@ -4,19 +4,8 @@
 #include <cmath>
 
 namespace blysk::reference {
-namespace {
-
-double integer_power(double b, int k) {
-  double r = 1;
-  for (; k > 0; --k) r *= b;
-  return r;
-}
-
-}  // namespace
 
 double power_lobe(double c, double n) { return std::pow(c, n); }  // deterministic: tests only
-
-double schlick_lobe(double c, double n) { return c / (n - n * c + c); }
 
 double w_scale(double n, int k) { return (n + 1) / (k + 1); }
 
@@ -34,8 +23,6 @@ double w_shift_scale(double n, int k) {
   }
 }
 
-double w_lobe(double c, double scale, int k) { return integer_power(std::max(0.0, scale * (c - 1) + 1), k); }
-
 double logarithmic_lobe(double c, double n) {
   int exponent = 0;
   const double mantissa = 2 * std::frexp(c, &exponent);  // [1, 2)
@@ -47,10 +34,6 @@ double logarithmic_lobe(double c, double n) {
 double quadratic_lobe(double c, double n, double s) {
   const double gamma = std::acos(c);  // deterministic: tests only
   return integer_power(std::max(0.0, 1 - s * n * gamma * gamma), 2);
-}
-
-double cosine_squared_lobe(double c, double n, double width) {
-  return integer_power(std::max(0.0, 1 - n * (1 - c) / width), 2);
 }
 
 double specular_lobe(Lobe lobe, double c, double n) {

@@ -18,6 +18,25 @@ constexpr MethodSetting kBarycentricSettings[] = {
     {"fit", "parabola of the edges' vectors: the paper's, the best for corners up to 45 deg apart",
      kBarycentricFits}};
 
+constexpr std::string_view kParallelFits[] = {"row", "paper", "quadratic", "cubic", "weights"};
+constexpr MethodSetting kParallelSettings[] = {
+    {"fit",
+     "row: one polynomial for rows of any length; else rows of nine pixels: the paper's, its polynomials "
+     "refitted with degree 2 or 3, direct cubic weights",
+     kParallelFits}};
+
+constexpr std::string_view kDichotomyForms[] = {"exact", "paper", "minimax", "half-sum"};
+constexpr MethodSetting kDichotomySettings[] = {
+    {"form",
+     "normals between: by the reciprocal root, by the paper's polynomial, by the best one for up to 45 deg, "
+     "as half the sum",
+     kDichotomyForms}};
+
+constexpr std::string_view kTextureNodes[] = {"17", "9"}, kTextureTexels[] = {"4", "2", "1"};
+constexpr MethodSetting kLightingTextureSettings[] = {
+    {"nodes", "points of an edge on the finest level", kTextureNodes},
+    {"texel", "least pixels from point to point, which choose the level; the paper's is 1", kTextureTexels}};
+
 constexpr std::string_view kQuadraticForms[] = {"horner", "direct", "step",        "pair",
                                                 "triple", "values", "values-shift"};
 constexpr std::string_view kQuadraticSegments[] = {"1", "2", "4", "8", "16", "32", "64"};
@@ -30,6 +49,15 @@ constexpr std::string_view kCubicThirds[] = {"exact", "shift", "printed"};
 constexpr MethodSetting kCubicSettings[] = {
     {"third", "1/3: exact, 43/128 by shifts, the same in the printed formulas (wrong by up to 27 %)",
      kCubicThirds}};
+
+constexpr MethodSetting kRowPixels = {"row", "rows of fewer pixels are lit pixel by pixel", {}, 32, 3, 64};
+
+constexpr std::string_view kSymmetricRoots[] = {"exact", "taylor", "chebyshev", "shift", "minimax"};
+constexpr MethodSetting kSymmetricSettings[] = {
+    {"root", "1 / sqrt: exact, the paper's three polynomials, one fitted to each row", kSymmetricRoots, 4},
+    kRowPixels};
+
+constexpr MethodSetting kAngularSettings[] = {kRowPixels};
 
 constexpr Method kMethods[] = {
     {MethodKind::shading, "phong", "Normals interpolated, lit at every pixel", "Phong 1975; thesis 3.3", "",
@@ -52,6 +80,22 @@ constexpr Method kMethods[] = {
      "within 1/255 of phong while row (rad) * sqrt(shininess) <= 1.05; rows under five pixels "
      "are lit pixel by pixel",
      kCubicSettings},
+    {MethodKind::shading, "symmetric",
+     "Accelerated cosines: normals linear along a row, one root for both of its halves",
+     "thesis 3.1, (3.1), (3.3); 6 of the specification", "phong",
+     "NMSE <= 0.00011; diffuse 1.8, specular 1.7 times as fast; root off by 4.98 % (taylor), 0.357 % "
+     "(chebyshev), 0.51 % (shift)",
+     "rows that turn by up to 90 deg, show one side, and are seen from near lamps and the viewer under up to "
+     "53 deg / shininess^(1/6), else as phong; minimax: as phong too where its error, 4e-6 at 30 deg, 5e-5 "
+     "at 45 deg, is more than 1/(510 shininess); chebyshev makes highlights 1.003^n as bright; with "
+     "perspective normals are linear in the world along each row",
+     kSymmetricSettings},
+    {MethodKind::shading, "angular", "Normals turn by equal angles along a row, without root",
+     "thesis 3.2, (3.4); 7 of the specification", "phong", "NMSE <= 0.00018; 25 % less time",
+     "rows that turn by up to 90 deg, show one side, and are seen from near lamps and the viewer under up to "
+     "53 deg / shininess^(1/6), else as phong; normals off by 0.005 deg on rows of 10 deg, 0.134 on 30, 4.1 "
+     "on 90",
+     kAngularSettings},
     {MethodKind::shading, "fast-normalize",
      "Phong without root or division: normals made unit by a polynomial in their squared length",
      "relief thesis, formula (1)", "phong", "length error 0.36 %; 8 times better than Lyon's (3 - K)/2",
@@ -66,6 +110,30 @@ constexpr Method kMethods[] = {
      "0.0039), lengths 10.7 % at 90 deg (minimax 0.44 % at 45); perspective interpolation costs a division a "
      "pixel",
      kBarycentricSettings},
+    {MethodKind::shading, "parallel",
+     "Normals of a row from its ends, at equal angles, all at once, nothing made unit",
+     "per-fragment paper, (1) - (14); A-buffer specification, C.1 - C.4", "phong",
+     "unit without being made unit; steps 0.17 % and 0.005 % off",
+     "row ends up to 90 deg apart, beyond halved, past 162 deg linear; lengths at most 0.016 % off (paper "
+     "2.56 "
+     "%, quadratic 0.18, cubic 0.024, weights 0.063), on flat faces 0 (paper 0.98); between row ends without "
+     "perspective",
+     kParallelSettings},
+    {MethodKind::shading, "dichotomy",
+     "Every other normal of a row made unit, those between from their neighbours",
+     "relief thesis, dichotomy; its specification, 2.6", "phong",
+     "length error 0.36 %, half-sum 2 % to 23 deg; half the normalisations: up to 2 times as fast",
+     "neighbours but one up to 162 deg apart, beyond each its own; lengths 0.4 % off (paper, on flat faces "
+     "too), 0.0039 (minimax, to 45 deg), 0.31 (half-sum, to 9 deg), beyond exact",
+     kDichotomySettings},
+    {MethodKind::shading, "lighting-texture",
+     "A small texture of light for each triangle, fetched bilinearly",
+     "per-fragment paper, polygon-shading processor; A-buffer specification, C.6 - C.8", "phong",
+     "every pixel independent; 17 x 17 points from three blocks of 9 x 9",
+     "up to 4 lights and shininess * (angle from point to point)^2 <= 0.06; triangles under two pixels a "
+     "point "
+     "and those that do not hold the highlight are lit pixel by pixel",
+     kLightingTextureSettings},
     {MethodKind::shading, "auto",
      "For each triangle, colours interpolated where that is provably near Phong shading, else Phong shading",
      "docs/auto.md", "phong", "",

@@ -12,8 +12,13 @@ constexpr ShadingKernel kShadings[] = {
     {"gouraud-constant", shade_gouraud_constant},
     {"quadratic", shade_quadratic},
     {"cubic", shade_cubic},
+    {"symmetric", shade_symmetric},
+    {"angular", shade_angular},
     {"fast-normalize", shade_fast_normalize},
     {"barycentric", shade_barycentric},
+    {"parallel", shade_parallel},
+    {"dichotomy", shade_dichotomy},
+    {"lighting-texture", shade_lighting_texture},
     {"auto", shade_auto},
 };
 }

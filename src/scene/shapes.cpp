@@ -19,9 +19,10 @@ using shape::Entry;
 
 const std::vector<Entry>& table() {
   static const std::vector<Entry> rows = {
-      shape::teapot(),  shape::sphere(),   shape::icosphere(), shape::torus(),
-      shape::cube(),    shape::cylinder(), shape::plane(),     shape::trefoil(),
-      shape::terrain(), shape::xfighter(), shape::triangles(), shape::spheres(),
+      shape::teapot(),    shape::sphere(),  shape::icosphere(), shape::torus(),   shape::cube(),
+      shape::cylinder(),  shape::plane(),   shape::trefoil(),   shape::terrain(), shape::xfighter(),
+      shape::triangles(), shape::spheres(), shape::soup(),      shape::micro(),   shape::meshes(),
+      shape::grass(),     shape::fans(),
   };
   return rows;
 }

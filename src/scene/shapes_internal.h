@@ -43,6 +43,11 @@ Entry terrain();
 Entry xfighter();
 Entry triangles();
 Entry spheres();
+Entry soup();
+Entry micro();
+Entry meshes();
+Entry grass();
+Entry fans();
 
 /// A scene of one mesh, which takes the shape's name.
 [[nodiscard]] Scene scene_of(Mesh mesh, std::string_view name, Material material = {});

@@ -161,4 +161,28 @@ TEST(triangles, face_the_camera) {
   }
 }
 
+// 128 pixels of the picture they are made for; depths 0 to 1 are z from 1 to -1, steep slopes go beyond.
+TEST(screen_scenes, stand_in_their_picture) {
+  for (const char* text :
+       {"soup?layers=3", "micro?layers=3", "meshes?triangles=2000&objects=3", "grass", "fans"}) {
+    const Scene scene = *make_shape(text);
+    ASSERT_EQ(scene.cameras.size(), 1u) << text;
+    EXPECT_EQ(scene.cameras[0].height, 2) << text;
+    EXPECT_TRUE(scene.materials[0].unlit) << text;
+    const blysk::Bounds b = scene.bounds();
+    EXPECT_TRUE(b.lo.x < -0.4 && b.hi.x > 0.4 && b.lo.y < -0.4 && b.hi.y > 0.4) << text;
+    EXPECT_TRUE(b.lo.z > -3 && b.hi.z < 3) << text;
+  }
+}
+
+TEST(screen_scenes, layers_are_as_many_as_asked_for) {
+  const Mesh mesh = make_shape("soup?layers=4&size=10")->meshes[0];
+  double area = 0;  // in pixels: the picture is 2 wide and 128 pixels
+  for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
+    const Vec3f u = mesh.positions[i + 1] - mesh.positions[i], v = mesh.positions[i + 2] - mesh.positions[i];
+    area += (double{u.x} * double{v.y} - double{u.y} * double{v.x}) / 2 * 64 * 64;
+  }
+  EXPECT_NEAR(area / (148 * 148), 4, 0.01);
+}
+
 }  // namespace

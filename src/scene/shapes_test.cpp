@@ -83,6 +83,9 @@ TEST(shapes, every_default_has_the_same_bytes_for_ever) {
       {"plane", 0x94FC9BFFE012FEF6u},     {"trefoil", 0xCFE3A1459999EB16u},
       {"terrain", 0xB5254A1E461EB3D9u},   {"xfighter", 0x96948FA46055894Cu},
       {"triangles", 0x89C5EC6ACD21B15Cu}, {"spheres", 0x78BE38B391CF7134u},
+      {"soup", 0x686715DD0CE0D5EFu},      {"micro", 0xCB9EC1F47DD4C1B1u},
+      {"meshes", 0x4C45D3413DABFE05u},    {"grass", 0x25D1546645A3C4A9u},
+      {"fans", 0xA63F041BCAE47972u},
   };
   for (const blysk::ShapeInfo& info : blysk::shapes()) {
     ASSERT_TRUE(hashes.contains(info.name)) << info.name;
@@ -156,6 +159,9 @@ TEST(shapes, counts_are_as_documented) {
   EXPECT_EQ(count("terrain?detail=1"), 2u);
   EXPECT_EQ(count("triangles?count=1"), 1u);
   EXPECT_EQ(count("spheres"), 2u * 4900);
+  EXPECT_EQ(count("grass"), 3000u);
+  EXPECT_EQ(count("fans"), 12u * 12 * 2);
+  EXPECT_EQ(count("meshes"), 3u * (2 * 76 * 37 + 2 * 54 * 54));
 }
 
 TEST(shapes, no_shape_exceeds_50_million_triangles) {
@@ -177,6 +183,10 @@ TEST(shapes, no_shape_exceeds_50_million_triangles) {
   EXPECT_LE(2 * square(maximum("terrain")), 50e6);
   EXPECT_LE(maximum("triangles"), 50e6);
   EXPECT_LE(4 * square(maximum("spheres")), 50e6);
+  EXPECT_LE(maximum("soup") * square(128 + 2) / 0.2, 50e6);  // triangles of size 1 have an area of 0.23
+  EXPECT_LE(maximum("meshes"), 50e6);
+  EXPECT_LE(maximum("grass"), 50e6);
+  EXPECT_LE(24 * maximum("fans"), 50e6);
 }
 
 TEST(shapes, prefix_and_trailing_separators_are_allowed) {

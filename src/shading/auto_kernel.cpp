@@ -6,6 +6,7 @@
 // triangle is set up once, and not for every pixel.
 #include "shading/linear_light.h"
 #include "shading/phong.h"
+#include "shading/shade_tile.h"
 #include "simd/kernels.h"
 
 namespace blysk::BLYSK_ISA {

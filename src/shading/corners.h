@@ -220,4 +220,11 @@ BLYSK_INLINE Rgb<P> compose(const ShadeJob& job, const Corners<F>& c, const Weig
   return {diffuse.x + i.specular.x, diffuse.y + i.specular.y, diffuse.z + i.specular.z};
 }
 
+/// The same for methods that need the weights for nothing else.
+template <class F, class P, class Y>
+BLYSK_INLINE Rgb<P> compose(const ShadeJob& job, const Corners<F>& c, P x, Y y, const Intensity<P>& i) {
+  if (job.draw->colors != nullptr) return compose(job, c, weights_at(c, x, y), i);
+  return {i.diffuse.x + i.specular.x, i.diffuse.y + i.specular.y, i.diffuse.z + i.specular.z};
+}
+
 }  // namespace blysk::BLYSK_ISA

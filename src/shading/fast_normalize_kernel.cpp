@@ -5,6 +5,7 @@
 // in: the normal is evaluated at every pixel instead of added up along the row (no drift, no chain), and
 // outside the polynomial's range the reciprocal root serves.
 #include "math/inverse_length.h"
+#include "shading/plane.h"
 #include "shading/shade_tile.h"
 #include "shading/unit_normals.h"
 #include "simd/kernels.h"
@@ -15,17 +16,42 @@ namespace {
 template <const InverseLength& kPolynomial>
 struct FastNormalize {
   template <class F>
-  using Triangle = UnitNormals<F>;
-  struct Span {};
+  struct Triangle {
+    UnitNormals<F> unit;
+    NormalPlane<F> normal;
+    Plane<F> sum;  // of the weights, where that is not constant
+  };
+  template <class F>
+  struct Span {
+    V3<F> normal;
+    F sum;
+  };
 
   template <class F>
   static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
-    return fetch_unit_normals<F>(job, index);
+    Triangle<F> t;
+    t.unit = fetch_unit_normals<F>(job, index);
+    const PlaneFrame<F> frame = plane_frame(t.unit.corners);
+    t.normal = normal_plane(frame, t.unit.normal);
+    if (t.unit.divide) t.sum = plane_of(frame, t.unit.corners.q);
+    return t;
   }
 
-  template <class F, class Y>
-  static BLYSK_INLINE Span set_up_span(const ShadeJob&, const Triangle<F>&, Y) {
-    return {};
+  template <class F>
+  static BLYSK_INLINE Span<F> set_up_span(const ShadeJob&, const Triangle<F>& t, F y) {
+    Span<F> span;
+    span.normal = row_normal(t.normal, y);
+    if (t.unit.divide) span.sum = on_row(t.sum, y - t.normal.y);
+    return span;
+  }
+
+  // The interpolated normal of unit ones.
+  template <class F, class P>
+  static BLYSK_INLINE V3<P> normal_at(const Triangle<F>& t, const Span<F>& span, P x) {
+    P scale = P(t.unit.inverse_area);
+    if (t.unit.divide) scale = share_scale(t.unit, along_row(t.sum, span.sum, x - P(t.normal.x)));
+    const V3<P> n = normal_along(t.normal, span.normal, x);
+    return {n.x * scale, n.y * scale, n.z * scale};
   }
 
   template <class P>
@@ -38,11 +64,10 @@ struct FastNormalize {
   }
 
   template <class F, class P, class Y>
-  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, P x, Y y,
+  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& span, P x, Y y,
                                    P nearness) {
-    const Weights<P> w = shares_at(t, x, y);
     const V3<P> viewer = viewer_at(job, x, y);
-    V3<P> n = mix(w, t.normal[0], t.normal[1], t.normal[2]);
+    V3<P> n = normal_at(t, span, x);
     const P k = dot(n, n);
     P inverse = polynomial(k);
     const auto outside =
@@ -54,7 +79,8 @@ struct FastNormalize {
       inverse = select(outside, exact, inverse);
     }
     const auto where = [&] { return point_at(job, x, y, nearness, viewer); };
-    return compose(job, t.corners, w, light_scaled<true>(job.draw->surface, n, inverse, viewer, where));
+    const Intensity<P> light = light_scaled<true>(job.draw->surface, n, inverse, viewer, where);
+    return compose(job, t.unit.corners, x, y, light);
   }
 };
 

@@ -11,19 +11,24 @@
 namespace blysk::reference {
 
 /// Intensity at a corner of a triangle, pixels.
-struct LitCorner {
-  double x, y, intensity;
+template <class T>
+struct LitCornerOf {
+  T x, y, intensity;
 };
+using LitCorner = LitCornerOf<double>;
 
-struct ConstantIncrements {
-  double area;    ///< det: twice the area; 0: nothing is drawn, dx and dy mean nothing
-  double dx, dy;  ///< a pixel to the right, a pixel down
+template <class T>
+struct ConstantIncrementsOf {
+  T area;    ///< det: twice the area; 0: nothing is drawn, dx and dy mean nothing
+  T dx, dy;  ///< a pixel to the right, a pixel down
 };
+using ConstantIncrements = ConstantIncrementsOf<double>;
 
-inline ConstantIncrements constant_increments(const std::array<LitCorner, 3>& c) {
+template <class T = double>
+ConstantIncrementsOf<T> constant_increments(const std::array<LitCornerOf<T>, 3>& c) {
   const auto& [a, b, d] = c;
-  const double area = (b.x - a.x) * (d.y - a.y) - (d.x - a.x) * (b.y - a.y);
-  const double rise_b = b.intensity - a.intensity, rise_d = d.intensity - a.intensity;
+  const T area = (b.x - a.x) * (d.y - a.y) - (d.x - a.x) * (b.y - a.y);
+  const T rise_b = b.intensity - a.intensity, rise_d = d.intensity - a.intensity;
   return {area, (rise_b * (d.y - a.y) - rise_d * (b.y - a.y)) / area,
           ((b.x - a.x) * rise_d - (d.x - a.x) * rise_b) / area};
 }

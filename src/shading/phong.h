@@ -1,11 +1,8 @@
-// shading/phong.h - Phong shading: the normal is interpolated and lit at every pixel. The reference of all
-// others.
-//
-// Based on: B. T. Phong. Illumination for computer generated pictures. 1975. Thesis, section 3.3 of the
-// specification.
+// shading/phong.h - Phong shading as a method of shade_tile.h, for its own kernel and for methods that leave
+// pixels to it.
 #pragma once
 
-#include "shading/shade_tile.h"
+#include "shading/plane.h"
 
 namespace blysk::BLYSK_ISA {
 
@@ -13,44 +10,31 @@ struct Phong {
   template <class F>
   struct Triangle {
     Corners<F> corners;
-    V3<F> normal[3];
+    NormalPlane<F> normal;
   };
-  struct Span {};
+  template <class F>
+  using Span = V3<F>;
 
   template <class F>
   static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
     Triangle<F> t;
     t.corners = fetch_corners<F>(job, index);
-    if (job.draw->normals == nullptr) {
-      t.normal[0] = t.normal[1] = t.normal[2] = face_normal(job, t.corners);
-    } else {
-      for (int k = 0; k < 3; ++k) t.normal[k] = fetch3<F>(job.draw->normals, t.corners.vertex[k]);
-    }
+    t.normal = fetch_normal_plane(job, t.corners);
     return t;
   }
 
-  template <class F, class Y>
-  static BLYSK_INLINE Span set_up_span(const ShadeJob&, const Triangle<F>&, Y) {
-    return {};
-  }
-
-  // World normal up to its length.
-  template <class F, class P>
-  static BLYSK_INLINE V3<P> normal_at(const ShadeJob& job, const Triangle<F>& t, const Weights<P>& w,
-                                      const V3<P>& viewer) {
-    V3<P> n = mix(w, t.normal[0], t.normal[1], t.normal[2]);
-    if (job.draw->moved && job.draw->normals != nullptr) n = times(job.draw->normal_matrix, 3, n);
-    return or_viewer(n, viewer);
+  template <class F>
+  static BLYSK_INLINE Span<F> set_up_span(const ShadeJob&, const Triangle<F>& t, F y) {
+    return row_normal(t.normal, y);
   }
 
   template <class F, class P, class Y>
-  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, P x, Y y,
+  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& row, P x, Y y,
                                    P nearness) {
-    const Weights<P> w = weights_at(t.corners, x, y);
     const V3<P> viewer = viewer_at(job, x, y);
-    const V3<P> n = normal_at(job, t, w, viewer);
+    const V3<P> n = or_viewer(normal_along(t.normal, row, x), viewer);
     const auto where = [&] { return point_at(job, x, y, nearness, viewer); };
-    return compose(job, t.corners, w, light_point(job.draw->surface, n, viewer, where));
+    return compose(job, t.corners, x, y, light_point(job.draw->surface, n, viewer, where));
   }
 };
 

@@ -1,5 +1,9 @@
-// Phong shading, and the normals that it interpolates as a picture.
+// Phong shading: the normal is interpolated and lit at every pixel. The reference of all others.
+//
+// Based on: B. T. Phong. Illumination for computer generated pictures. 1975. Thesis, section 3.3 of the
+// specification.
 #include "shading/phong.h"
+#include "shading/shade_tile.h"
 #include "simd/kernels.h"
 
 namespace blysk::BLYSK_ISA {
@@ -8,9 +12,10 @@ namespace {
 // World normals instead of colours, unit and towards the viewer, for the picture of normals.
 struct Normals : Phong {
   template <class F, class P, class Y>
-  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span&, P x, Y y, P) {
+  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& row, P x, Y y,
+                                   P) {
     const V3<P> viewer = viewer_at(job, x, y);
-    const V3<P> n = normal_at(job, t, weights_at(t.corners, x, y), viewer);
+    const V3<P> n = or_viewer(normal_along(t.normal, row, x), viewer);
     P scale = P(1.0f) / sqrt(dot(n, n));
     scale = select(dot(n, viewer) < P(0.0f), P(0.0f) - scale, scale);
     return {n.x * scale, n.y * scale, n.z * scale};

@@ -15,7 +15,7 @@ using isa_test::F32;
 using isa_test::I32;
 using isa_test::kLanes;
 using isa_test::RowForm;
-using reference::Recurrence;
+using reference::QuadraticForm;
 using reference::SecondOrderSurface;
 
 constexpr RowForm kForms[] = {RowForm::horner, RowForm::direct, RowForm::step,        RowForm::pair,
@@ -109,8 +109,9 @@ TEST(second_order_reference, is_the_specification) {
     EXPECT_NEAR(2 * s.a, r.twice_a, 5e-12);
     EXPECT_NEAR(r.value + s.segment_difference(r.x, r.y, 2), r.at4, 1e-9);
     EXPECT_NEAR(r.value + s.segment_difference(r.x, r.y, 3), r.at8, 1e-9);
-    for (const Recurrence by : {Recurrence::step, Recurrence::pair, Recurrence::triple, Recurrence::values}) {
-      const std::vector<double> row = reference::recurrent_row(s, by, r.x, r.y, 9);
+    for (int form = 0; form <= static_cast<int>(QuadraticForm::forward); ++form) {
+      double row[9];
+      reference::quadratic_row<double>(static_cast<QuadraticForm>(form), s, r.x, r.y, row);
       const double expected[] = {r.value, r.at1, r.at2, r.at3, r.at4, 0, 0, 0, r.at8};
       for (const std::size_t i : {0, 1, 2, 3, 4, 8}) EXPECT_NEAR(row[i], expected[i], 1e-9) << i;
     }

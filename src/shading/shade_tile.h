@@ -177,7 +177,7 @@ class DrawShader {
       const unsigned run = left & ((2u << __builtin_ctz(ends & left)) - 1);
       const Triangle& triangle = set_up(at + __builtin_ctz(left));
       left &= ~run;
-      const auto span = Method::set_up_span(job_, triangle, y);
+      const auto& span = Method::set_up_span(job_, triangle, y);
       Sink::row(job_, at, lanes_of(run), Method::shade(job_, triangle, span, x, y, nearness));
     }
   }

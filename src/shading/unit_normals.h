@@ -55,16 +55,19 @@ BLYSK_INLINE UnitNormals<F> fetch_unit_normals(const ShadeJob& job, Integer<F> t
   return t;
 }
 
-/// Barycentric coordinates; all 0 where even the pixel's sum has vanished.
+/// What turns weights of this sum into shares of one; 0 where even the pixel's sum has vanished.
+template <class F, class P>
+BLYSK_INLINE P share_scale(const UnitNormals<F>& t, P sum) {
+  const P own = select(magnitude(sum) > P(1e-30f), P(1.0f) / sum, P(0.0f));
+  return select(P(t.inverse_area) == P(0.0f), own, P(t.inverse_area));
+}
+
+/// Barycentric coordinates.
 template <class F, class P, class Y>
 BLYSK_INLINE Weights<P> shares_at(const UnitNormals<F>& t, P x, Y y) {
   Weights<P> w = weights_at(t.corners, x, y);
   P scale = P(t.inverse_area);
-  if (t.divide) {
-    const P sum = (w.of[0] + w.of[1]) + w.of[2];
-    const P own = select(magnitude(sum) > P(1e-30f), P(1.0f) / sum, P(0.0f));
-    scale = select(P(t.inverse_area) == P(0.0f), own, scale);
-  }
+  if (t.divide) scale = share_scale(t, (w.of[0] + w.of[1]) + w.of[2]);
   for (P& weight : w.of) weight = weight * scale;
   return w;
 }

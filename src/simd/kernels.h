@@ -23,6 +23,7 @@ void support(const Vec3f* points, std::size_t count, const Vec3f* axis, float* r
 void assemble_triangles(AssembleJob& job);
 int rasterize_tile(const TileJob& job);
 void store_tile(const TileBuffers& tile, int width, int rows, std::uint32_t* to, std::size_t stride);
+void shade_angular(const ShadeJob& job);
 void shade_auto(const ShadeJob& job);
 void shade_barycentric(const ShadeJob& job);
 void shade_fast_normalize(const ShadeJob& job);
@@ -31,6 +32,10 @@ void shade_gouraud(const ShadeJob& job);
 void shade_gouraud_constant(const ShadeJob& job);
 void shade_quadratic(const ShadeJob& job);
 void shade_cubic(const ShadeJob& job);
+void shade_symmetric(const ShadeJob& job);
+void shade_dichotomy(const ShadeJob& job);
+void shade_lighting_texture(const ShadeJob& job);
+void shade_parallel(const ShadeJob& job);
 void shade_phong(const ShadeJob& job);
 void write_normals(const ShadeJob& job);
 }  // namespace BLYSK_ISA

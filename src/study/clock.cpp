@@ -1,10 +1,10 @@
-#include "clock.h"
+#include "study/clock.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
 
-namespace blysk::bench {
+namespace blysk::study {
 namespace {
 
 // Short enough that some loops run without being interrupted on a busy machine.
@@ -37,4 +37,4 @@ double clock_hz() {
   return hz;
 }
 
-}  // namespace blysk::bench
+}  // namespace blysk::study

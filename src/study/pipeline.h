@@ -1,4 +1,4 @@
-// bench/pipeline.h - the stages of a frame one by one, on one thread.
+// study/pipeline.h - the stages of a frame one by one, on one thread.
 #pragma once
 
 #include <memory>
@@ -7,23 +7,22 @@
 
 #include "render/frame.h"
 #include "render/kernels.h"
-#include "scenes.h"
 
-namespace blysk::bench {
+namespace blysk::study {
 
 /// Each stage works on what the one before it left; the constructor has transformed and assembled.
 class Pipeline {
  public:
-  /// The stage must outlive the pipeline and have one instance.
-  Pipeline(const Stage& stage, int width, int height, Isa isa);
+  /// The scene must outlive the pipeline, be drawable with the options, and have one instance with triangles.
+  Pipeline(const Scene& scene, const RenderOptions& options, Isa isa);
 
   void transform();
   void assemble();
   /// One tile's buffers after the other's, as in a frame; returns the covered pixels.
   std::uint64_t rasterize();
   /// Rasterises every tile into buffers of its own, for shade().
-  void keep_tiles();
-  void shade(std::string_view method);
+  std::uint64_t keep_tiles();
+  void shade(const MethodChoice& method);
 
   [[nodiscard]] std::size_t triangles() const { return plan_.triangles; }
   [[nodiscard]] std::size_t bytes() const { return bins_.memory(); }
@@ -43,4 +42,4 @@ class Pipeline {
   ThreadBins bins_;
 };
 
-}  // namespace blysk::bench
+}  // namespace blysk::study

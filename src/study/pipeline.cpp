@@ -1,19 +1,19 @@
-#include "pipeline.h"
+#include "study/pipeline.h"
 
 #include <algorithm>
 #include <cstdlib>
 
-namespace blysk::bench {
+namespace blysk::study {
 namespace {
 
 constexpr std::size_t kChunkTriangles = 8192;  // as in a frame
 
 }  // namespace
 
-Pipeline::Pipeline(const Stage& stage, int width, int height, Isa isa)
-    : options_(frame_options(width, height)), table_(kernels(isa)) {
-  aim(stage, 0, options_);
-  if (!plan_frame(stage.scene, options_, plan_) || plan_.draws.size() != 1) std::abort();
+Pipeline::Pipeline(const Scene& scene, const RenderOptions& options, Isa isa)
+    : options_(options), table_(kernels(isa)) {
+  if (!plan_frame(scene, options_, plan_) || plan_.draws.size() != 1) std::abort();
+  const int width = options_.width, height = options_.height;
   tiles_x_ = (width + kTileSize - 1) / kTileSize;
   tiles_ =
       static_cast<std::size_t>(tiles_x_) * static_cast<std::size_t>((height + kTileSize - 1) / kTileSize);
@@ -71,19 +71,23 @@ std::uint64_t Pipeline::rasterize() {
   return covered;
 }
 
-void Pipeline::keep_tiles() {
+std::uint64_t Pipeline::keep_tiles() {
   kept_.resize(tiles_);
-  for (std::size_t i = 0; i < tiles_; ++i) rasterize_tile(i, kept_[i]);
+  std::uint64_t covered = 0;
+  for (std::size_t i = 0; i < tiles_; ++i) covered += static_cast<std::uint64_t>(rasterize_tile(i, kept_[i]));
+  return covered;
 }
 
-void Pipeline::shade(std::string_view method) {
+void Pipeline::shade(const MethodChoice& method) {
   const auto* found = std::find_if(table_.shadings, table_.shadings + table_.shadings_count,
-                                   [&](const ShadingKernel& k) { return k.name == method; });
+                                   [&](const ShadingKernel& k) { return k.name == method.method->name; });
   ShadeJob job{};
   job.vertices = vertices_.data();
   job.draw = &plan_.draws[0].draw;
   job.rays = &plan_.view.rays;
+  job.screen_linear = options_.interpolation == Interpolation::screen;
   job.transfer = options_.transfer;
+  job.settings = method.values.data();
   for (std::size_t i = 0; i < kept_.size(); ++i) {
     job.x = static_cast<int>(i) % tiles_x_ * kTileSize;
     job.y = static_cast<int>(i) / tiles_x_ * kTileSize;
@@ -94,4 +98,4 @@ void Pipeline::shade(std::string_view method) {
   }
 }
 
-}  // namespace blysk::bench
+}  // namespace blysk::study

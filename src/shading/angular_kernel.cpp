@@ -1,0 +1,26 @@
+// Shading by angular interpolation: the normals of a row turn by equal angles, so that their cosines need no
+// normal and no root.
+//
+// Based on: the shading thesis, chapter 3.2, section 7 of its specification. Differs in: row_method.h;
+// angular_row.h.
+#include "shading/angular_row.h"
+#include "shading/row_method.h"
+#include "simd/kernels.h"
+
+namespace blysk::BLYSK_ISA {
+namespace {
+
+struct AngularLaw : AngularRow {
+  static constexpr int kRowSetting = 0;
+  template <class Y, class M>
+  static BLYSK_INLINE Turn<Y> turn_along(const ShadeJob&, Y c, M& direct) {
+    direct = direct | (c > Y(2.0f));
+    return turn_of(min(c, Y(2.0f)));
+  }
+};
+
+}  // namespace
+
+void shade_angular(const ShadeJob& job) { shade_draw<RowMethod<AngularLaw>, ColorSink>(job); }
+
+}  // namespace blysk::BLYSK_ISA

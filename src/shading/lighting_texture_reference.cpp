@@ -1,0 +1,32 @@
+#include "shading/lighting_texture_reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blysk::reference {
+
+int texture_steps(int finest, double texel, double longest_squared, double area) {
+  int steps = 0;
+  for (int n = 1; n <= finest; n *= 2) {
+    if (longest_squared >= texel * n * texel * n) steps = n;
+  }
+  return area >= kTexturePay * triangle_points(steps) ? steps : 0;
+}
+
+int paper_level(double longest) {
+  return static_cast<int>(std::clamp(std::floor(std::log2(16 / longest)), 0.0, 4.0));
+}
+
+int square_points(int steps) { return (steps + 1) * (steps + 1); }
+int triangle_points(int steps) { return (steps + 1) * (steps + 2) / 2; }
+
+double fetch_texture(int steps, const TexturePoint& point, double u, double v) {
+  const int j = std::min(static_cast<int>(v * steps), steps - 1);
+  const int i = std::min(static_cast<int>(u * steps), steps - 1 - j);
+  const double x = u * steps - i, y = v * steps - j;
+  const double a = point(i, j), b = point(i + 1, j), c = point(i, j + 1);
+  const double bent = i + j + 1 < steps ? point(i + 1, j + 1) - b - c + a : 0;
+  return a + x * (b - a) + y * (c - a) + x * y * bent;
+}
+
+}  // namespace blysk::reference

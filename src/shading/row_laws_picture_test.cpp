@@ -1,0 +1,309 @@
+// symmetric and angular: kernels against the reference forms, pictures against Phong shading.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "blysk/metrics.h"
+#include "blysk/shapes.h"
+#include "raster/coverage_reference.h"
+#include "render/testing.h"
+#include "shading/angular_reference.h"
+#include "shading/symmetric_reference.h"
+
+namespace blysk {
+namespace {
+
+constexpr const char* kVariants[] = {"symmetric:row=3",
+                                     "symmetric:root=exact,row=3",
+                                     "symmetric:root=taylor,row=3",
+                                     "symmetric:root=chebyshev,row=3",
+                                     "symmetric:root=shift,row=3",
+                                     "angular:row=3"};
+
+bool is(const std::string& method, std::string_view word) { return method.find(word) != std::string::npos; }
+
+constexpr int kWidth = 90, kHeight = 70;
+constexpr double kShininess = 24;
+
+// A triangle of pixel_camera() under one far light, in double precision.
+struct Plain {
+  reference::Triangle triangle;
+  Vec3d normal[3];
+  Vec3d light = normalize(Vec3d{2, 3, 6});
+
+  [[nodiscard]] Vec3d normal_at(int column, int row) const {
+    const auto& [a, b, c] = triangle.corner;
+    const double x = column * 256.0 + 128, y = row * 256.0 + 128;
+    const auto twice = [&](const reference::Place& p, const reference::Place& q) {
+      return (double(p.x) - x) * (double(q.y) - y) - (double(q.x) - x) * (double(p.y) - y);
+    };
+    const double area = double(triangle.area());
+    return normalize((normal[0] * twice(b, c) + normal[1] * twice(c, a) + normal[2] * twice(a, b)) *
+                     (1 / area));
+  }
+
+  static double lit(double n_l, double n_h) {
+    if (n_l <= 0) return 0;
+    return 0.5 * std::min(n_l, 1.0) + 0.4 * std::pow(std::clamp(n_h, 0.0, 1.0), kShininess);
+  }
+
+  [[nodiscard]] double phong(int column, int row) const {
+    Vec3d n = normal_at(column, row);
+    if (n.z < 0) n = -n;
+    return lit(dot(n, light), dot(n, normalize(light + Vec3d{0, 0, 1})));
+  }
+
+  // Where rounding may decide otherwise, what it decides against is `other`.
+  double at(const std::string& method, int column, int row, double& other) const {
+    int first = column, last = column;
+    while (reference::covers(triangle, first - 1, row)) --first;
+    while (reference::covers(triangle, last + 1, row)) ++last;
+    other = phong(column, row);
+    if (last - first < 2) return other;
+    Vec3d na = normal_at(first, row), nb = normal_at(last, row);
+    if (std::abs(na.z) < 1e-4 || std::abs(nb.z) < 1e-4) return other;
+    if ((na.z < 0) != (nb.z < 0) || dot(na, nb) < 0) return other;
+    if (na.z < 0) {
+      na = -na;
+      nb = -nb;
+    }
+    const Vec3d h = normalize(light + Vec3d{0, 0, 1});
+    const double x = column - first, m = last - first, c = 2 - 2 * dot(na, nb);
+    if (is(method, "angular")) {
+      if (c < 1e-6) return other;
+      return lit(reference::AngularRow(na, nb, light, m).pair(x),
+                 reference::AngularRow(na, nb, h, m).pair(x));
+    }
+    const auto by = [&](auto root) {
+      return lit(reference::SymmetricRow(na, nb, light, m).cosine(x, root),
+                 reference::SymmetricRow(na, nb, h, m).cosine(x, root));
+    };
+    if (is(method, "exact")) return by(reference::exact_root);
+    if (is(method, "taylor")) return by(reference::taylor_root);
+    if (is(method, "chebyshev")) return by(reference::chebyshev_root);
+    if (is(method, "shift")) return by(reference::shift_root);
+    return by([&](double q) { return reference::fitted_root(q, std::min(-c / 4, -1e-12)); });
+  }
+};
+
+TEST(row_laws, kernels_follow_the_reference_forms) {
+  Random random(23);
+  RenderOptions o;
+  o.width = kWidth;
+  o.height = kHeight;
+  o.camera = pixel_camera(kHeight);
+  o.ambient = 0;
+  o.transfer = Transfer::none;
+  o.want_id = true;
+  o.lights.resize(1);
+  o.lights[0].vector = {2, 3, 6};
+  o.lights[0].color = {1, 1, 1};
+  Material material;
+  material.color = {0.5f, 0.5f, 0.5f};
+  material.specular = {0.4f, 0.4f, 0.4f};
+  material.shininess = kShininess;
+  material.double_sided = true;
+  Scene scene = scene_of(mesh_of({{}, {}, {}}, {0, 1, 2}), material);
+  Mesh& mesh = scene.meshes[0];
+  mesh.normals.resize(3);
+  Frame frame;
+  long pixels = 0;
+  const std::vector<Isa> isas = available_isas();
+  for (int i = 0; i < 900; ++i) {
+    Plain plain;
+    const auto reach = static_cast<std::int64_t>(256) << whole(random, 2, 6);
+    const std::int64_t cx = whole(random, 0, kWidth * 256), cy = whole(random, 0, kHeight * 256);
+    const Vec3d axis = normalize(random_direction(random) + Vec3d{0, 0, 1});
+    const double cone = uniform(random, 0, 1.2);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t x = cx + whole(random, -reach, reach), y = cy + whole(random, -reach, reach);
+      mesh.positions[k] =
+          to_float(Vec3d{double(x - kWidth * 128) / 256, double(kHeight * 128 - y) / 256, 0.0});
+      mesh.normals[k] = to_float(normalize(axis + random_direction(random) * cone));
+      plain.triangle.corner[k] = {x, y, 0};
+      plain.normal[k] = to_double(mesh.normals[k]);
+    }
+    if (std::abs(plain.triangle.area()) < 20 * 65536) continue;
+    const std::string method = kVariants[i % 6];
+    o.shading = method;
+    render_to(frame, scene, o, isas[static_cast<std::size_t>(i) % isas.size()]);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const auto at = static_cast<std::size_t>(y * kWidth + x);
+        if (frame.id[at] == 0) continue;
+        double other = 0;
+        const double expected = 255 * std::min(1.0, plain.at(method, x, y, other));
+        const double shown = frame.image.pixels[at] & 255;
+        // The fitted polynomial stands back where its error would show.
+        const bool may_stand_back = method == kVariants[0];
+        if (may_stand_back && std::abs(shown - 255 * std::min(other, 1.0)) < 0.52) continue;
+        ASSERT_NEAR(shown, expected, 0.52) << method << ", triangle " << i << ", pixel " << x << "," << y;
+        ++pixels;
+      }
+    }
+  }
+  EXPECT_GT(pixels, 50000);
+}
+
+// The thesis' experiment; bounds a little above what was measured. Chebyshev's 1.003 at flat rows is the one
+// that grows with finer meshes (erratum E21).
+TEST(row_laws, spheres) {
+  const struct {
+    const char* method;
+    double most[3];
+  } rows[] = {{"symmetric:row=3", {8e-7, 6e-8, 2e-8}},
+              {"symmetric:root=exact,row=3", {8e-7, 6e-8, 2e-8}},
+              {"symmetric:root=taylor,row=3", {8e-7, 6e-8, 2e-8}},
+              {"symmetric:root=chebyshev,row=3", {2e-4, 2.8e-4, 2.8e-4}},
+              {"symmetric:root=shift,row=3", {4e-5, 2e-6, 3e-7}},
+              {"angular:row=3", {8e-7, 6e-8, 2e-8}}};
+  constexpr int kDetails[] = {10, 25, 50};
+  for (int i = 0; i < 3; ++i) {
+    const Scene scene = *make_shape("spheres?detail=" + std::to_string(kDetails[i]));
+    RenderOptions o;
+    o.width = 1000;
+    o.height = 400;
+    o.camera = scene.cameras[0];
+    o.ambient = 0.196f;
+    o.background = {0.5f, 0.5f, 0.5f, 1};
+    o.transfer = Transfer::none;
+    o.interpolation = Interpolation::screen;
+    const Frame phong = render_frame(scene, o);
+    for (const auto& row : rows) {
+      o.shading = row.method;
+      const double nmse = compare(phong.image, render_frame(scene, o).image)->nmse;
+      EXPECT_LE(nmse, row.most[i]) << row.method << ", detail " << kDetails[i];
+      RecordProperty(std::string(row.method) + "_" + std::to_string(kDetails[i]),
+                     std::to_string(nmse * 1e6) + "e-6");
+    }
+  }
+}
+
+bool same(const Image& a, const Image& b) {
+  return a.pixels.size() == b.pixels.size() &&
+         std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(std::uint32_t)) == 0;
+}
+
+// Near lamps, a near viewer, both models, perspective: Phong's picture but for a step or two.
+TEST(row_laws, near_lamps_and_viewers) {
+  Scene scene = *make_shape("sphere?detail=24");
+  scene.materials.at(0).specular = {0.5f, 0.5f, 0.5f};
+  scene.materials.at(0).shininess = 50;
+  RenderOptions o;
+  o.width = 400;
+  o.height = 300;
+  o.camera = Camera{};
+  o.camera->eye = {0.4, 0.8, 2.2};
+  o.camera->fov_deg = 60;
+  o.transfer = Transfer::none;
+  o.lights.resize(2);
+  o.lights[0].kind = Light::Kind::point;
+  o.lights[0].vector = {1, 1, 1.5};
+  o.lights[0].color = {0.5f, 0.5f, 0.5f};
+  o.lights[1].vector = {-1, 1, 1};
+  o.lights[1].color = {0.4f, 0.4f, 0.4f};
+  for (const char* lighting : {"blinn", "phong", "lambert"}) {
+    for (const Interpolation interpolation : {Interpolation::perspective, Interpolation::screen}) {
+      o.lighting = lighting;
+      o.interpolation = interpolation;
+      o.shading = "phong";
+      const Frame phong = render_frame(scene, o);
+      for (const char* method : {"symmetric:row=3", "symmetric:root=exact,row=3", "angular:row=3"}) {
+        o.shading = method;
+        const Difference d = *compare(phong.image, render_frame(scene, o).image);
+        EXPECT_LE(d.max_difference, 2) << method << ", " << lighting;
+        EXPECT_LT(d.nmse, 2e-6) << method << ", " << lighting;
+        EXPECT_GT(d.different_pixels, 0u) << method << ", " << lighting;
+      }
+    }
+  }
+}
+
+// Spans, gathered pixels, clipped and unclipped company, faces without normals.
+TEST(row_laws, instruction_sets_and_company_do_not_show) {
+  const char* const shapes[] = {"teapot?detail=5", "terrain?detail=60", "triangles?count=400&size=1", "cube"};
+  for (const char* shape : shapes) {
+    Scene scene = std::move(*make_shape(shape));
+    if (std::strcmp(shape, "cube") == 0) scene.meshes.at(0).normals.clear();
+    // The same triangles in another order: other runs, other lanes.
+    Scene turned = scene;
+    for (Mesh& mesh : turned.meshes) {
+      for (std::size_t a = 0, b = mesh.triangles() - 1; a < b; ++a, --b) {
+        for (std::size_t k = 0; k < 3; ++k) std::swap(mesh.indices[3 * a + k], mesh.indices[3 * b + k]);
+      }
+    }
+    for (const char* method : {"symmetric:row=3", "symmetric:root=exact,row=9", "angular:row=3", "angular"}) {
+      for (const double height : {0.0, 2.0}) {
+        SCOPED_TRACE(std::string(shape) + ", " + method);
+        RenderOptions o;
+        o.width = 231;
+        o.height = 150;
+        o.shading = method;
+        o.cull = Cull::none;
+        o.camera = Camera{};
+        o.camera->eye = {0.1, 0.5, 0.6};
+        o.camera->target = {0, 0, -1};
+        o.camera->fov_deg = 80;
+        o.camera->height = height;
+        o.lights.resize(2);
+        o.lights[0].vector = {1, 2, 2};
+        o.lights[0].color = {0.5f, 0.5f, 0.5f};
+        o.lights[1].kind = Light::Kind::point;
+        o.lights[1].vector = {0.5, 1, 0.5};
+        o.lights[1].color = {0.5f, 0.4f, 0.3f};
+        const Frame expected = render_frame(scene, o, available_isas().front());
+        EXPECT_GT(expected.statistics.pixels_covered, 500u);
+        for (const Isa isa : available_isas()) {
+          EXPECT_TRUE(same(expected.image, render_frame(scene, o, isa).image)) << isa_name(isa);
+        }
+        EXPECT_TRUE(same(expected.image, render_frame(turned, o).image));
+      }
+    }
+  }
+}
+
+// Opposite normals, normals of length 0, needles, lamps behind and in the surface: never darker than the
+// ambient light, and Phong's colour where the law does not hold.
+TEST(row_laws, hard_triangles) {
+  Mesh mesh = mesh_of({{-90, -90, 0}, {90, -90, 0}, {0, 90, 0}, {-90, 95, 0}, {95, -90, 0}, {95, -89.99f, 0}},
+                      {0, 1, 2, 3, 4, 5});
+  const std::vector<Vec3f> normals = {{0, 0, 1}, {0, 0, -1}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
+  mesh.normals.assign(normals.begin(), normals.end());
+  Scene scene = scene_of(mesh);
+  scene.materials.at(0).color = {1, 1, 1};
+  RenderOptions o;
+  o.width = o.height = 200;
+  o.camera = pixel_camera(200);
+  o.transfer = Transfer::none;
+  o.want_id = true;
+  o.ambient = 0.2f;
+  o.lights.resize(3);
+  o.lights[0].vector = {0, 0, 1};
+  o.lights[0].color = {0.2f, 0.2f, 0.2f};
+  o.lights[1].vector = {0, 0, -1};
+  o.lights[1].color = {0.2f, 0.2f, 0.2f};
+  o.lights[2].kind = Light::Kind::point;
+  o.lights[2].vector = {3, 4, 0};
+  o.lights[2].color = {0.2f, 0.2f, 0.2f};
+  for (const char* method : kVariants) {
+    SCOPED_TRACE(method);
+    o.shading = method;
+    const Frame expected = render_frame(scene, o, available_isas().front());
+    int covered = 0, dark = 0;
+    for (std::size_t i = 0; i < expected.id.size(); ++i) {
+      if (expected.id[i] == 0) continue;
+      ++covered;
+      dark += (expected.image.pixels[i] & 255) < 51 ? 1 : 0;
+    }
+    EXPECT_GT(covered, 15000);
+    EXPECT_EQ(dark, 0);
+    for (const Isa isa : available_isas()) {
+      EXPECT_TRUE(same(expected.image, render_frame(scene, o, isa).image)) << isa_name(isa);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace blysk

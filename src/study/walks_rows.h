@@ -1,0 +1,154 @@
+// study/walks_rows.h - walks along a row between its two unit end normals: chapters 3.1 and 3.2 of the
+// thesis.
+#pragma once
+
+#include "shading/normals_reference.h"
+#include "study/walk.h"
+
+namespace blysk::study {
+
+/// 1 / sqrt(1 + m) for m in -0.5..0 (section 6.3).
+enum class Root { exact, taylor, chebyshev, shift };
+
+template <Root kRoot, class T>
+T inverse_root(const T& m) {
+  using std::sqrt;
+  if constexpr (kRoot == Root::exact) return 1 / sqrt(1 + m);
+  if constexpr (kRoot == Root::taylor) return 1 - m / 2 + T(0.375) * m * m;
+  if constexpr (kRoot == Root::chebyshev) return T(1.003) + m * (T(0.82) * m - T(0.403));
+  // 1 - l m + 2 l m^2 with l = 13/32 = 1/4 + 1/8 + 1/32
+  const T z = m * (2 * m - 1);
+  return 1 + (z / 4 + z / 8 + z / 32);
+}
+
+/// A dot product with the row's linear normals, from both ends.
+template <class T>
+struct Numerator {
+  T left{}, right{}, step{};
+
+  Numerator() = default;
+  Numerator(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& with, const T& steps)
+      : left(dot(a, with)), right(dot(b, with)), step((right - left) / steps) {}
+  void next() {
+    left += step;
+    right -= step;
+  }
+};
+
+template <Lit kLit = Lit::both, class T>
+Terms<T> from_dots(const T& diffuse, const T& specular) {
+  if constexpr (kLit == Lit::diffuse) return {std::max(T(0), diffuse), T(0)};
+  return {std::max(T(0), diffuse), reference::integer_power(std::max(T(0), specular), kWalkShininess)};
+}
+
+/// Two pixels from one root, no division in the loop (section 6.2).
+template <Root kRoot, Lit kLit, class T, class Out>
+void walk_symmetric(const WalkTriangle<T>& t, Out& out) {
+  out.begin(Step::triangle);
+  const auto normals = reference::linear_normals<T>(t.corner, t.normal);
+  for (std::size_t r = 0; r < t.rows.size(); ++r) {
+    const PixelRow& row = t.rows[r];
+    out.begin(Step::row);
+    const T y = row_number<T>(row.y);
+    const Vec3<T> a = normalize(normals.at(row_number<T>(row.left), y));
+    if (row.steps() == 0) {
+      out.put(r, 0, clamped(light_unit(t, a)));
+      continue;
+    }
+    const Vec3<T> b = normalize(normals.at(row_number<T>(row.right), y));
+    const T steps = row_number<T>(row.steps());
+    const T s = (2 * dot(a, b) - 2) / steps, c = -s / steps;
+    const T bend = 2 * c;
+    T m = T(0), step = c + s;
+    Numerator<T> diffuse(a, b, t.light, steps), specular{};
+    if constexpr (kLit == Lit::both) specular = Numerator<T>(a, b, t.halfway, steps);
+    out.begin(Step::pixel);
+    for (int x = 0; 2 * x <= row.steps(); ++x) {
+      const T root = inverse_root<kRoot>(m);
+      const auto lit = [&](const T& with_light, const T& with_halfway) {
+        if constexpr (kLit == Lit::diffuse) return from_dots<kLit>(with_light * root, T(0));
+        return from_dots(with_light * root, with_halfway * root);
+      };
+      out.put(r, x, lit(diffuse.left, specular.left));
+      if (2 * x < row.steps()) out.put(r, row.steps() - x, lit(diffuse.right, specular.right));
+      m += step;
+      step += bend;
+      diffuse.next();
+      if constexpr (kLit == Lit::both) specular.next();
+    }
+  }
+}
+
+/// sin and cos of a small angle.
+template <class T>
+struct SmallAngle {
+  T sine, cosine;
+
+  explicit SmallAngle(const T& angle) {
+    const T q = angle * angle;
+    sine = angle * (1 - q * T(1.0 / 6) * (1 - q * T(1.0 / 20) * (1 - q * T(1.0 / 42))));
+    cosine = 1 - q / 2 * (1 - q * T(1.0 / 12) * (1 - q * T(1.0 / 30) * (1 - q * T(1.0 / 56))));
+  }
+};
+
+/// cos v along an arc of equal angle steps: C(t + 1) = 2 cos(step) C(t) - C(t - 1).
+template <class T>
+struct ArcCosine {
+  T at, next_at;
+
+  /// `a` and `b` are its values at the arc's ends.
+  ArcCosine(const T& a, const T& b, const T& cosine, const T& sine, const SmallAngle<T>& step)
+      : at(a), next_at(a * step.cosine + (b - a * cosine) / sine * step.sine) {}
+  void next(const T& twice_cosine) {
+    const T after = twice_cosine * next_at - at;
+    at = next_at;
+    next_at = after;
+  }
+};
+
+/// Angular interpolation, form cheb of section 7.4. Where the ends are parallel the dots are linear.
+template <class T, class Out>
+void walk_angular(const WalkTriangle<T>& t, Out& out) {
+  using std::sqrt;
+  out.begin(Step::triangle);
+  const auto normals = reference::linear_normals<T>(t.corner, t.normal);
+  for (std::size_t r = 0; r < t.rows.size(); ++r) {
+    const PixelRow& row = t.rows[r];
+    out.begin(Step::row);
+    const T y = row_number<T>(row.y);
+    const Vec3<T> a = normalize(normals.at(row_number<T>(row.left), y));
+    if (row.steps() == 0) {
+      out.put(r, 0, clamped(light_unit(t, a)));
+      continue;
+    }
+    const Vec3<T> b = normalize(normals.at(row_number<T>(row.right), y));
+    const T steps = row_number<T>(row.steps()), cosine = dot(a, b);
+    const T square = 1 - cosine * cosine;
+    if (square <= T(1e-7)) {
+      Numerator<T> diffuse(a, b, t.light, steps), specular(a, b, t.halfway, steps);
+      out.begin(Step::pixel);
+      for (int x = 0; x <= row.steps(); ++x) {
+        out.put(r, x, from_dots(diffuse.left, specular.left));
+        diffuse.next();
+        specular.next();
+      }
+      continue;
+    }
+    // arccos without loss of digits for small angles (section 8.1)
+    const T z = 2 - 2 * cosine;
+    const T phi =
+        sqrt(z) * (T(0.999954859) + z * (T(0.042325762) + z * (T(0.003225090) + z * T(0.001645482))));
+    const SmallAngle<T> step(phi / steps);
+    const T sine = sqrt(square), twice = 2 * step.cosine;
+    ArcCosine<T> diffuse(dot(a, t.light), dot(b, t.light), cosine, sine, step);
+    ArcCosine<T> specular(dot(a, t.halfway), dot(b, t.halfway), cosine, sine, step);
+    out.begin(Step::pixel);
+    for (int x = 0; x <= row.steps(); ++x) {
+      out.put(r, x, from_dots(diffuse.at, specular.at));
+      diffuse.next(twice);
+      specular.next(twice);
+    }
+  }
+}
+
+}  // namespace blysk::study

@@ -1,0 +1,86 @@
+"""blysk replicate, from outside: what its documents hold, and what it refuses."""
+
+import json
+import math
+import os
+import re
+import unittest
+import xml.etree.ElementTree
+
+from command import CommandTest
+
+VERDICTS = {"holds", "holds in part", "does not hold"}
+
+
+class Replicate(CommandTest):
+    def replicate(self, *arguments, **options):
+        return self.run_command("replicate", "--study", "shading", "--quick", *arguments, **options)
+
+    def test_json(self):
+        output, errors = self.replicate("--json")
+        self.assertEqual(errors, "")
+        data = json.loads(output)
+        self.assertEqual(set(data), {"version", "date", "machine", "studies"})
+        (study,) = data["studies"]
+        self.assertEqual(study["study"], "shading")
+        tables = {t["id"]: t for section in study["sections"] for t in section["tables"]}
+        for name in ("2.1", "4.2", "4.3", "4.4", "4.5", "programs", "speed", "gain", "speed-scalar", "errors", "lobes"):
+            table = tables[name]
+            self.assertTrue(table["rows"], name)
+            for row in table["rows"]:
+                self.assertEqual(len(row), len(table["columns"]), (name, row))
+        clocks = {row[0]: row[-1] for row in tables["4.4"]["rows"]}
+        self.assertEqual(clocks["what the printed clocks are made of"], 146036)
+        self.assertEqual(clocks["true sum"], 146936)
+        for row in tables["speed"]["rows"]:
+            self.assertTrue(all(cycles > 0 for cycles in row[1:]), row)
+
+        claims = {c["id"]: c for c in study["claims"]}
+        self.assertEqual(len(claims), len(study["claims"]))
+        for claim in claims.values():
+            self.assertIn(claim["verdict"], VERDICTS)
+            self.assertTrue(claim["why"] and claim["source"] and claim["measured"], claim["id"])
+            for measured in claim["measured"]:
+                self.assertTrue(math.isfinite(measured["value"]), claim["id"])
+        # These do not depend on the machine.
+        self.assertEqual(claims["taylor-root"]["verdict"], "holds")
+        self.assertEqual(claims["chebyshev-root"]["verdict"], "holds in part")
+        self.assertEqual(claims["third-intensity"]["verdict"], "does not hold")
+        self.assertAlmostEqual(claims["formula-2.3"]["modelled"], 3)
+
+    def test_markdown_and_plots(self):
+        os.mkdir(self.path("plots"))
+        output, errors = self.replicate("--markdown", "-o", "plots")
+        self.assertEqual(errors, "")
+        page = output.decode()
+        self.assertTrue(page.startswith("# Replication\n"))
+        self.assertRegex(page, r"\ntimes of|; times of \d{4}-\d\d-\d\d, ")
+        columns = None
+        for line in page.splitlines():
+            if not line.startswith("|"):
+                columns = None
+                continue
+            count = len(re.findall(r"(?<!\\)\|", line))
+            columns = columns or count
+            self.assertEqual(count, columns, line)
+        links = re.findall(r"!\[[^]]+\]\(([^)]+)\)", page)
+        self.assertEqual(len(links), 2)
+        for link in links:
+            root = xml.etree.ElementTree.fromstring(self.read(link))
+            self.assertGreater(len(root.findall("{http://www.w3.org/2000/svg}circle")), 5)
+
+    def test_text(self):
+        output, errors = self.replicate()
+        self.assertEqual(errors, "")
+        self.assertRegex(output.decode(), r"(?m)^\d+ claims: \d+ holds?, \d+ holds? in part, \d+ do(es)? not hold$")
+
+    def test_refusals(self):
+        self.assertIn("--json", self.fails(2, "replicate", "--json", "--markdown"))
+        self.assertIn("--study", self.fails(2, "replicate", "--study", "nothing"))
+        self.assertIn("abuffer", self.fails(2, "replicate", "--scenes", "grass"))
+        self.assertIn("abuffer", self.fails(2, "replicate", "square.obj"))
+        self.assertIn("create it", self.fails(4, "replicate", "--quick", "-o", "nowhere"))
+
+
+if __name__ == "__main__":
+    unittest.main()
