@@ -14,6 +14,9 @@ constexpr int kSpans[] = {4, 8, 16, 32, 64, 128, 256};
 constexpr int kDetails[] = {10, 25, 50, 100};
 constexpr int kSide = 256, kSmallSide = 64, kSpanWidth = 512;
 
+// Settings of the papers that no single setting leads to.
+constexpr const char* kPaperVariants[] = {"symmetric:root=chebyshev,row=3", "symmetric:root=shift,row=3"};
+
 std::optional<std::size_t> index_of(const std::vector<std::string>& names, std::string_view name) {
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) return std::nullopt;
@@ -32,6 +35,7 @@ void list_methods(ShadingMeasurements& m) {
     m.methods.emplace_back(row.name);
     for (std::string& variant : method_variants(row)) m.variants.push_back(std::move(variant));
   }
+  for (const char* paper : kPaperVariants) m.variants.emplace_back(paper);
 }
 
 std::vector<SpeedScene> speed_scenes(bool quick) {
@@ -105,7 +109,8 @@ Result<ShadingMeasurements> measure_shading(const StudyOptions& options) {
   m.variant_speeds = shading_cost(scene_of("span 64"), m.variants, Isa::best, rounds);
   SpeedScene matt = scene_of("100 pixels");
   matt.options.lighting = "lambert";
-  m.diffuse_speeds = shading_cost(matt, m.methods, Isa::best, rounds);
+  m.diffuse_speeds = shading_cost(matt, m.variants, Isa::best, rounds);
+  m.small_speeds = shading_cost(scene_of("100 pixels"), m.variants, Isa::best, rounds);
   m.lobe_speeds = lobe_cost(m.lobes, rounds);
 
   for (const int detail : kDetails) {
