@@ -55,7 +55,7 @@ Status write_plots(const std::vector<StudyReport>& reports, const std::string& f
   for (const StudyReport& report : reports) {
     for (const StudySection& section : report.sections) {
       for (const StudyPlot& plot : section.plots) {
-        const Status status = write_file(plot.svg, plot_path(folder, plot.name));
+        const Status status = write_file(plot.bytes, plot_path(folder, plot.name));
         if (!status) return status;
       }
     }

@@ -245,7 +245,7 @@ std::string head_line(const std::vector<StudyReport>& reports) {
 }  // namespace
 
 std::string plot_path(const std::string& folder, const std::string& name) {
-  return (std::filesystem::path(folder) / (name + ".svg")).string();
+  return (std::filesystem::path(folder) / name).string();
 }
 
 std::string reports_text(const std::vector<StudyReport>& reports) {

@@ -29,10 +29,11 @@ struct StudyTable {
   std::vector<std::string> notes = {};       ///< what to know of it, a sentence or two each
 };
 
+/// A picture of the report.
 struct StudyPlot {
-  std::string name;  ///< of a file, without extension
+  std::string name;  ///< of its file: .svg or .png
   std::string title;
-  std::string svg;
+  std::string bytes;
 };
 
 enum class Verdict { holds, in_part, fails };
@@ -75,18 +76,18 @@ struct StudyReport {
 };
 
 struct StudyOptions {
-  int threads = 0;                                 ///< 0: one per processor; times are of one thread always
-  bool quick = false;                              ///< small pictures, few repetitions: to see that it works
-  std::vector<std::string> scenes;                 ///< names of the study's scenes; empty: all
-  std::vector<std::string> models;                 ///< files or shapes measured besides
-  Limits limits;                                   ///< for `models`
-  std::function<void(std::string_view)> progress;  ///< told what is measured next; may be empty
+  int threads = 0;                       ///< 0: one per processor; times are of one thread always
+  bool quick = false;                    ///< small pictures, few repetitions: to see that it works
+  std::vector<std::string> scenes = {};  ///< names of the study's scenes; empty: all
+  std::vector<std::string> models = {};  ///< files or shapes measured besides
+  Limits limits = {};                    ///< for `models`
+  std::function<void(std::string_view)> progress = {};  ///< told what is measured next; may be empty
 };
 
 /// Names of the scenes that study_abuffer() knows, in its order.
 [[nodiscard]] std::vector<std::string> abuffer_scenes();
 
-/// O. Romanyuk, S. Pavlov et al.: the modified A-buffer, every policy for lists that are full, and its
+/// O. Romaniuk, M. Kurinnyi et al.: the modified A-buffer, every policy for lists that are full, and its
 /// memory.
 [[nodiscard]] Result<StudyReport> study_abuffer(const StudyOptions& options = {});
 

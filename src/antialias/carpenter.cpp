@@ -59,7 +59,7 @@ FrontWeights front_weights(const CarpenterFragment& front, const CarpenterFragme
           (1 - of) * (1 - on)};
 }
 
-Vec3d pack(std::span<const CarpenterFragment> list, const SamplePattern& pattern, Vec3d background) {
+Composed pack(std::span<const CarpenterFragment> list, const SamplePattern& pattern) {
   // The recursion is linear in what it finds, so a stack will do. Its masks are disjoint and not empty: there
   // are no more of them than samples.
   std::array<Search, kMostSamples + 1> stack;
@@ -67,15 +67,15 @@ Vec3d pack(std::span<const CarpenterFragment> list, const SamplePattern& pattern
   const auto search = [&](std::size_t first, Mask mask, double weight) {
     if (mask != 0 && weight > 0) stack[depth++] = {first, mask, weight};
   };
-  Vec3d sum;
-  const auto add = [&](Vec3f rgb, double weight) { sum = sum + to_double(rgb) * weight; };
+  Composed sum = {{}, 0};
+  const auto add = [&](Vec3f rgb, double weight) { sum.rgb = sum.rgb + to_double(rgb) * weight; };
 
   search(0, pattern.full(), 1);
   while (depth > 0) {
     auto [i, mask, weight] = stack[--depth];
     while (i < list.size() && (list[i].mask & mask) == 0) ++i;
     if (i == list.size()) {
-      sum = sum + background * (weight * samples_in(mask));
+      sum.background += weight * samples_in(mask);
       continue;
     }
     const CarpenterFragment& front = list[i];
@@ -97,7 +97,8 @@ Vec3d pack(std::span<const CarpenterFragment> list, const SamplePattern& pattern
       search(i + 1, inside, weight * (1 - opacity));
     }
   }
-  return sum * (1.0 / static_cast<double>(pattern.count));
+  const double share = 1.0 / static_cast<double>(pattern.count);
+  return {sum.rgb * share, sum.background * share};
 }
 
 void CarpenterLists::clear(std::size_t pixels) {
@@ -146,8 +147,6 @@ void CarpenterLists::insert(std::size_t pixel, const Fragment& fragment) {
   statistics_.most_live = std::max<std::uint64_t>(statistics_.most_live, size);
 }
 
-Vec3d CarpenterLists::resolve(std::size_t pixel, Vec3d background) {
-  return pack(lists_.items(pixel), *pattern_, background);
-}
+Composed CarpenterLists::compose(std::size_t pixel) { return pack(lists_.items(pixel), *pattern_); }
 
 }  // namespace blysk::antialias

@@ -29,8 +29,7 @@ struct FrontWeights {
 [[nodiscard]] FrontWeights front_weights(const CarpenterFragment& front, const CarpenterFragment& next);
 
 /// The list as a colour: Carpenter's recursive packing.
-[[nodiscard]] Vec3d pack(std::span<const CarpenterFragment> list, const SamplePattern& pattern,
-                         Vec3d background);
+[[nodiscard]] Composed pack(std::span<const CarpenterFragment> list, const SamplePattern& pattern);
 
 class CarpenterLists final : public FragmentTile {
  public:
@@ -39,7 +38,7 @@ class CarpenterLists final : public FragmentTile {
   void clear(std::size_t pixels) override;
   /// Colours are taken at once: fragments of one object may be merged.
   void insert(std::size_t pixel, const Fragment& fragment) override;
-  [[nodiscard]] Vec3d resolve(std::size_t pixel, Vec3d background) override;
+  [[nodiscard]] Composed compose(std::size_t pixel) override;
   [[nodiscard]] std::size_t live(std::size_t pixel) const override { return lists_.size(pixel); }
   [[nodiscard]] std::size_t bytes() const override { return lists_.bytes(); }
 

@@ -21,14 +21,14 @@ TEST(carpenter, visible_share_of_the_specification) {
                           next = slab(0xFFFF, {100, 100, 100}, 1, 0.3f, 0.6f);
   EXPECT_NEAR(visible_share(front, next), 0.5, 1e-6);
   const CarpenterFragment both[] = {front, next};
-  expect_colour(pack(both, kGrid16, {}), {150, 150, 150}, 1e-4);
+  expect_colour(pack(both, kGrid16).over({}), {150, 150, 150}, 1e-4);
 
   const CarpenterFragment half[] = {slab(0xFFFF, {200, 200, 200}, 0.5f, 0.2f, 0.7f), next};
   const FrontWeights w = front_weights(half[0], next);
   EXPECT_NEAR(w.front, 0.25, 1e-6);
   EXPECT_NEAR(w.next, 0.75, 1e-6);
   EXPECT_EQ(w.behind, 0);
-  expect_colour(pack(half, kGrid16, {}), {125, 125, 125}, 1e-4);
+  expect_colour(pack(half, kGrid16).over({}), {125, 125, 125}, 1e-4);
 
   const CarpenterFragment a = slab(0xFFFF, {}, 0.6f, 0.2f, 0.4f), b = slab(0xFFFF, {}, 0.4f, 0.35f, 0.45f);
   EXPECT_NEAR(visible_share(a, b), 0.833333, 1e-6);
@@ -64,7 +64,7 @@ TEST(carpenter, packs_apart_layers_exactly) {
       }
       sum += through * background.x;
     }
-    EXPECT_NEAR(pack(list, kGrid16, background).x, sum / 16, 1e-9);
+    EXPECT_NEAR(pack(list, kGrid16).over(background).x, sum / 16, 1e-9);
   }
 }
 

@@ -47,12 +47,12 @@ void FragmentLists::overflow(std::size_t pixel, FragmentList& list) {
   if (options_.overflow == Overflow::d5) memory_[pixel].dropped = true;
 }
 
-Vec3d FragmentLists::resolve(std::size_t pixel, Vec3d background) {
-  if (shows_before_drop()) return memory_[pixel].shown.over(background);
+Composed FragmentLists::compose(std::size_t pixel) {
+  if (shows_before_drop()) return memory_[pixel].shown;
   const std::span<Fragment> list = lists_.items(pixel);
   light(pixel, list.data(), list.size());
   const bool whole = options_.overflow == Overflow::d5 && memory_[pixel].dropped;
-  return resolver_.compose(list, whole ? Uncovered::left_out : Uncovered::background).over(background);
+  return resolver_.compose(list, whole ? Uncovered::left_out : Uncovered::background);
 }
 
 std::size_t FragmentLists::bytes() const { return lists_.bytes() + memory_.capacity() * sizeof(Memory); }

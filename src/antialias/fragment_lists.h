@@ -5,7 +5,6 @@
 
 #include "antialias/fragment_tile.h"
 #include "antialias/growing_lists.h"
-#include "antialias/resolve.h"
 
 namespace blysk::antialias {
 
@@ -22,7 +21,7 @@ class FragmentLists final : public FragmentTile {
 
   void clear(std::size_t pixels) override;
   void insert(std::size_t pixel, const Fragment& fragment) override;
-  [[nodiscard]] Vec3d resolve(std::size_t pixel, Vec3d background) override;
+  [[nodiscard]] Composed compose(std::size_t pixel) override;
   [[nodiscard]] std::size_t live(std::size_t pixel) const override { return lists_.size(pixel); }
   [[nodiscard]] std::size_t bytes() const override;
 

@@ -77,11 +77,11 @@ std::vector<Fragment> FragmentPool::fragments(std::size_t pixel) const {
   return {copy.begin(), copy.begin() + static_cast<std::ptrdiff_t>(size)};
 }
 
-Vec3d FragmentPool::resolve(std::size_t pixel, Vec3d background) {
+Composed FragmentPool::compose(std::size_t pixel) {
   Copy copy;
   const std::size_t size = read(pixel, copy.data());
   light(pixel, copy.data(), size);
-  return resolver_.compose({copy.data(), size}).over(background);
+  return resolver_.compose({copy.data(), size});
 }
 
 bool FragmentPool::sound() const {

@@ -10,7 +10,6 @@
 #include <array>
 
 #include "antialias/fragment_tile.h"
-#include "antialias/resolve.h"
 
 namespace blysk::antialias {
 
@@ -31,7 +30,7 @@ class FragmentPool final : public FragmentTile {
 
   void clear(std::size_t pixels) override;
   void insert(std::size_t pixel, const Fragment& fragment) override;
-  [[nodiscard]] Vec3d resolve(std::size_t pixel, Vec3d background) override;
+  [[nodiscard]] Composed compose(std::size_t pixel) override;
   [[nodiscard]] std::size_t live(std::size_t pixel) const override { return sizes_[pixel]; }
   [[nodiscard]] std::size_t bytes() const override;
 

@@ -13,6 +13,7 @@
 
 #include "antialias/fragment.h"
 #include "antialias/overflow.h"
+#include "antialias/resolve.h"
 #include "blysk/vector.h"
 
 namespace blysk::antialias {
@@ -49,7 +50,8 @@ class FragmentTile {
   virtual void clear(std::size_t pixels) = 0;
   /// Fragments of one pixel come in submission order. One without samples or opacity is ignored.
   virtual void insert(std::size_t pixel, const Fragment& fragment) = 0;
-  [[nodiscard]] virtual Vec3d resolve(std::size_t pixel, Vec3d background) = 0;
+  [[nodiscard]] virtual Composed compose(std::size_t pixel) = 0;
+  [[nodiscard]] Vec3d resolve(std::size_t pixel, Vec3d background) { return compose(pixel).over(background); }
 
   [[nodiscard]] virtual std::size_t live(std::size_t pixel) const = 0;
   /// Held at present, working memory included.

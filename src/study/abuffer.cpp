@@ -56,6 +56,7 @@ SceneResult measure_all(const StudyScene& scene, const SceneRow* row, ThreadPool
   variants.push_back({.kind = Variant::Kind::carpenter});
   Measured measured = measure(scene, Order::random, kSeed, variants, threads);
   result.complexity = measured.complexity;
+  result.live = std::move(measured.live);
   result.carpenter = measured.quality.back();
   measured.quality.pop_back();
   result.zbuffer = measured.quality.back();
@@ -114,7 +115,15 @@ Result<StudyReport> study_abuffer(const StudyOptions& options) {
     const Status status = add(study::model_scene(model, options.limits), nullptr);
     if (!status) return status.error();
   }
-  report.sections = study::abuffer_sections(scenes);
+  std::vector<study::TurningResult> turning;
+  for (const std::string_view shape : {"xfighter", "trefoil?detail=384"}) {
+    if (!options.scenes.empty()) break;
+    if (options.progress) options.progress("a turning model");
+    const Result<study::TurningResult> result = study::measure_turning(shape, threads);
+    if (!result) return result.error();
+    turning.push_back(*result);
+  }
+  report.sections = study::abuffer_sections(scenes, turning);
   return report;
 }
 

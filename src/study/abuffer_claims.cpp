@@ -14,13 +14,16 @@ constexpr Overflow kDiscards[] = {Overflow::d1, Overflow::d2, Overflow::d3, Over
 
 StudyClaim merging_beats_discarding(const SceneResult& s, Overflow merge, std::string claim) {
   const double merged = s.at(merge, kN).nmse;
-  std::string measured = "merging " + scientific_text(merged) + "; discarding";
+  std::string measured = scientific_text(merged) + " by merging;", better;
   std::size_t beaten = 0;
   for (const Overflow discard : kDiscards) {
     const double nmse = s.at(discard, kN).nmse;
-    beaten += merged < nmse ? 1u : 0u;
-    measured += " " + std::string(overflow_name(discard)) + " " + scientific_text(nmse);
+    const bool beats = merged < nmse;
+    beaten += beats ? 1u : 0u;
+    if (!beats) better.append(" ").append(overflow_name(discard));
+    measured.append(" ").append(overflow_name(discard)).append(" ").append(scientific_text(nmse));
   }
+  if (!better.empty()) measured.append("; not better than").append(better);
   return {.claim = std::move(claim),
           .scene = s.name,
           .claimed = word("merging has the lower NMSE (N = 3)"),

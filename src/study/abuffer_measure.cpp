@@ -1,70 +1,17 @@
 #include "study/abuffer_measure.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "antialias/memory_bits.h"
+#include "study/flat_picture.h"
 
 namespace blysk::study {
 namespace {
 
-using antialias::FragmentTile;
 using antialias::Overflow;
 
-const antialias::SamplePattern& kPattern = antialias::kGrid16;
-constexpr Vec3d kBackground = {32, 32, 64};
-
-using Picture = std::vector<Vec3d>;
-
-// Sums over pixels, so that parts of a picture may be measured apart.
-struct Error {
-  double squares = 0, reference = 0;
-  std::uint64_t pixels = 0, over_8 = 0, over_32 = 0;
-
-  void add(Vec3d shown, Vec3d wanted) {
-    const Vec3d d = shown - wanted;
-    const double worst = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-    squares += dot(d, d);
-    reference += dot(wanted, wanted);
-    ++pixels;
-    over_8 += worst > 8 ? 1 : 0;
-    over_32 += worst > 32 ? 1 : 0;
-  }
-  Error& operator+=(const Error& o) {
-    squares += o.squares;
-    reference += o.reference;
-    pixels += o.pixels;
-    over_8 += o.over_8;
-    over_32 += o.over_32;
-    return *this;
-  }
-  [[nodiscard]] Quality quality() const {
-    constexpr double kRounding = 1e-12;  // merged colours are floats: their rounding is no error
-    const auto all = static_cast<double>(pixels);
-    const double nmse = squares <= kRounding * reference ? 0 : squares / reference;
-    const double psnr = nmse == 0 ? std::numeric_limits<double>::infinity()
-                                  : 10 * std::log10(255.0 * 255 * 3 * all / squares);
-    return {nmse, psnr, static_cast<double>(over_8) / all, static_cast<double>(over_32) / all};
-  }
-};
-
-Picture picture_of(const FragmentStream& stream, FragmentTile& tile, std::size_t pixels) {
-  tile.clear(pixels);
-  stream.insert_into(tile);
-  Picture picture(pixels);
-  for (std::size_t p = 0; p < pixels; ++p) picture[p] = tile.resolve(p, kBackground);
-  return picture;
-}
-
-Error error_of(const Picture& picture, const Picture& reference) {
-  Error error;
-  for (std::size_t p = 0; p < picture.size(); ++p) error.add(picture[p], reference[p]);
-  return error;
-}
-
 struct Band {
-  std::vector<Error> errors;  // of each variant
+  std::vector<PictureError> errors;  // of each variant
   std::vector<std::uint32_t> generated, live;
   antialias::ListStatistics statistics;
 };
@@ -120,6 +67,7 @@ constexpr std::size_t kMostMain = 3, kTotals[] = {2, 3, 4, 6, 8};
 // Lists of at most N fragments: their picture, and for each number of main places the peak of what is beyond.
 struct Fixed {
   Picture picture;
+  std::uint64_t bytes = 0;
   std::uint64_t peak[kMostMain + 1] = {};
 };
 
@@ -138,6 +86,7 @@ Fixed fixed_lists(const FragmentStream& stream, std::size_t pixels, std::size_t 
       fixed.peak[main] = std::max(fixed.peak[main], used[main]);
     }
   }
+  fixed.bytes = tile->bytes();
   for (std::size_t p = 0; p < pixels; ++p) fixed.picture.push_back(tile->resolve(p, kBackground));
   return fixed;
 }
@@ -150,15 +99,19 @@ MemoryRow memory_row(const FragmentStream& stream, std::size_t pixels, std::size
   row.fixed = antialias::fixed_bits(shape);
   row.ratio = antialias::memory_ratio(shape);
   row.nmse = error_of(fixed.picture, reference).quality().nmse;
-  const auto shown = [&](std::uint64_t slots) {
+  const auto pool_of = [&](std::uint64_t slots) {
     const Variant pool = {.kind = Variant::Kind::pool,
                           .overflow = Overflow::m1,
                           .main = main,
                           .extra = extra,
                           .pool = static_cast<std::size_t>(slots)};
-    return picture_of(stream, *make_tile(pool, kPattern, pixels, pixels), pixels);
+    return make_tile(pool, kPattern, pixels, pixels);
   };
-  row.same_picture = shown(row.peak) == fixed.picture;
+  const auto shown = [&](std::uint64_t slots) { return picture_of(stream, *pool_of(slots), pixels); };
+  const auto pool = pool_of(row.peak);
+  row.same_picture = picture_of(stream, *pool, pixels) == fixed.picture;
+  row.pooled_bytes = pool->bytes();
+  row.fixed_bytes = fixed.bytes;
   row.half = error_of(shown(row.peak / 2), reference).quality().nmse;
   row.quarter = error_of(shown(row.peak / 4), reference).quality().nmse;
   return row;
@@ -184,12 +137,15 @@ Measured measure(const StudyScene& scene, Order order, std::uint64_t seed, std::
     const Region region = {0, top, scene.width, std::min(kRows, scene.height - top)};
     bands[i] = measure_band(scene, indices, region, variants);
   });
-  std::vector<Error> errors(variants.size());
+  std::vector<PictureError> errors(variants.size());
   for (const Band& band : bands) {
     for (std::size_t v = 0; v < variants.size(); ++v) errors[v] += band.errors[v];
   }
-  Measured measured = {complexity_of(bands), {}};
-  for (const Error& error : errors) measured.quality.push_back(error.quality());
+  Measured measured = {complexity_of(bands), {}, {}};
+  for (const Band& band : bands) {
+    measured.live.insert(measured.live.end(), band.live.begin(), band.live.end());
+  }
+  for (const PictureError& error : errors) measured.quality.push_back(error.quality());
   return measured;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/threads.h"
-#include "study/flat_raster.h"
+#include "study/flat_picture.h"
 
 namespace blysk::study {
 
@@ -22,12 +22,6 @@ struct StudyScene {
   [[nodiscard]] std::size_t pixels() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   }
-};
-
-/// Against the picture of unlimited lists. Channels run from 0 to 255 and are not rounded.
-struct Quality {
-  double nmse = 0, psnr_db = 0;    ///< infinite decibels where there is no difference
-  double over_8 = 0, over_32 = 0;  ///< share of pixels with a channel that is farther off
 };
 
 /// Fragments a pixel.
@@ -47,7 +41,8 @@ struct Complexity {
 
 struct Measured {
   Complexity complexity;
-  std::vector<Quality> quality;  ///< of each variant
+  std::vector<std::uint32_t> live;  ///< fragments of each pixel at the end
+  std::vector<Quality> quality;     ///< of each variant, against unlimited lists
 };
 
 /// Draws one scene in one order with every variant, in bands of rows side by side.
@@ -64,6 +59,7 @@ struct MemoryRow {
   double nmse = 0;               ///< of the fixed lists
   bool same_picture = false;     ///< the pool of `peak` slots gave the picture of the fixed lists
   double half = 0, quarter = 0;  ///< NMSE with a half and a quarter of `peak`
+  std::uint64_t pooled_bytes = 0, fixed_bytes = 0;  ///< of this implementation
 };
 
 /// With one pool for the whole picture and the corrected merge of the two farthest.

@@ -3,6 +3,7 @@
 
 #include "study/abuffer_results.h"
 #include "study/cells.h"
+#include "study/count_picture.h"
 #include "study/log_plot.h"
 
 namespace blysk::study {
@@ -24,6 +25,14 @@ std::vector<std::string> with_policies(std::vector<std::string> columns, std::sp
   return columns;
 }
 
+StudyPlot live_picture(const SceneResult& s) {
+  const Array<std::uint8_t> png =
+      encode_png(count_picture(s.live, s.width), {.compression = 6, .alpha = false});
+  return {"abuffer-live-" + s.name + ".png",
+          s.name + ": fragments that live at the end; 0 black, 1 blue, 2 green, 3 yellow, 4 orange, more red",
+          std::string(png.begin(), png.end())};
+}
+
 StudySection complexity_section(const Scenes& scenes) {
   StudyTable table = {
       "Fragments a pixel, and how far a z-buffer without antialiasing and the classic A-buffer "
@@ -41,11 +50,17 @@ StudySection complexity_section(const Scenes& scenes) {
                           percent(c.hidden_on_arrival), percent(c.removed_later), scientific(s.zbuffer.nmse),
                           scientific(s.carpenter.nmse)});
   }
-  return {"Depth complexity",
-          {"Flat colours, 16 samples in a 4x4 grid, background (32, 32, 64), random order. Lists without a "
-           "limit are the reference: opaque ones never hold more fragments than a pixel has samples."},
-          {std::move(table)},
-          {}};
+  StudySection section = {"Depth complexity",
+                          {"Flat colours, 16 samples in a 4x4 grid, background (32, 32, 64), random order. "
+                           "Lists without a limit are "
+                           "the reference: opaque ones never hold more fragments than a pixel has samples. "
+                           "The pictures show how many "
+                           "fragments live in a pixel at the end: none black, 1 blue, 2 green, 3 yellow, 4 "
+                           "orange, 5 and more red."},
+                          {std::move(table)},
+                          {}};
+  for (const SceneResult& s : scenes) section.plots.push_back(live_picture(s));
+  return section;
 }
 
 StudyTable error_table(const SceneResult& s, bool decibels) {
@@ -74,7 +89,7 @@ StudyPlot error_plot(const Scenes& scenes) {
     }
     panels.push_back(std::move(panel));
   }
-  return {"abuffer-error", "NMSE against the number of fragments a pixel",
+  return {"abuffer-error.svg", "NMSE against the number of fragments a pixel",
           log_plot(panels, {.x_label = "fragments a pixel", .y_label = "NMSE"})};
 }
 
@@ -155,7 +170,8 @@ StudySection least_section(const Scenes& scenes) {
 StudyTable memory_table(const SceneResult& s) {
   StudyTable table = {s.name,
                       {"own + addresses", "peak of the pool", "bits with a pool", "bits without", "ratio",
-                       "NMSE", "same picture", "NMSE, half the pool", "NMSE, a quarter"},
+                       "NMSE", "same picture", "NMSE, half the pool", "NMSE, a quarter",
+                       "bytes here with a pool", "bytes here without"},
                       {}};
   for (const MemoryRow& row : s.memory) {
     table.rows.push_back({word(std::to_string(row.main) + "+" + std::to_string(row.extra)), whole(row.peak),
@@ -201,6 +217,22 @@ StudySection memory_section(const Scenes& scenes) {
   return section;
 }
 
+StudySection turning_section(const std::vector<TurningResult>& turning) {
+  StudyTable table = {"N = 3", {"model", "policy", "NMSE: mean", "worst", "flicker", "movement"}, {}};
+  for (const TurningResult& t : turning) {
+    for (const TurningRow& row : t.rows) {
+      table.rows.push_back({word(t.name), policy_cell(row.policy), scientific(row.mean),
+                            scientific(row.worst), scientific(row.flicker), scientific(t.moving)});
+    }
+  }
+  return {"Models that turn",
+          {"Twelve frames of " + std::to_string(kTurningWidth) + "x" + std::to_string(kTurningHeight) +
+           ", a degree each. Movement is the mean NMSE of a frame of unlimited lists against the one before; "
+           "flicker is what a policy adds to it."},
+          {std::move(table)},
+          {}};
+}
+
 StudySection expected_section(const Scenes& scenes) {
   StudyTable table = {"NMSE for N = 3: measured here / expected",
                       with_policies({"scene", "generated", "live", "z-buffer"}, kExpectedPolicies),
@@ -223,16 +255,20 @@ StudySection expected_section(const Scenes& scenes) {
           {"Scenes of the same rules from other random numbers, by another program. Soups, grass and micro "
            "scenes "
            "agree within a quarter; scenes of a few large objects differ from seed to seed by a factor of 2 "
-           "to 4."},
+           "to 4. "
+           "Of fans the rules leave open how wide and deep a sheaf is."},
           {std::move(table)},
           {}};
 }
 
 }  // namespace
 
-std::vector<StudySection> abuffer_sections(const Scenes& scenes) {
-  return {complexity_section(scenes), error_section(scenes),  least_section(scenes),   shares_section(scenes),
-          order_section(scenes),      memory_section(scenes), expected_section(scenes)};
+std::vector<StudySection> abuffer_sections(const Scenes& scenes, const std::vector<TurningResult>& turning) {
+  std::vector<StudySection> sections = {
+      complexity_section(scenes), error_section(scenes),  least_section(scenes),   shares_section(scenes),
+      order_section(scenes),      memory_section(scenes), expected_section(scenes)};
+  if (!turning.empty()) sections.insert(sections.end() - 1, turning_section(turning));
+  return sections;
 }
 
 }  // namespace blysk::study

@@ -8,6 +8,7 @@
 
 #include "blysk/study.h"
 #include "study/abuffer_scenes.h"
+#include "study/abuffer_turning.h"
 
 namespace blysk::study {
 
@@ -30,6 +31,7 @@ struct SceneResult {
   int width = 0, height = 0;
   std::uint64_t triangles_in = 0, triangles = 0;
   Complexity complexity = {};
+  std::vector<std::uint32_t> live = {};  ///< fragments of each pixel
   Quality zbuffer = {}, carpenter = {};
   std::vector<Quality> quality = {};     ///< by policy of kPolicies, then N; random order, seed 1
   std::vector<OrderResult> orders = {};  ///< the others
@@ -42,7 +44,8 @@ struct SceneResult {
 
 [[nodiscard]] SceneResult measure_all(const StudyScene& scene, const SceneRow* row, ThreadPool& threads);
 
-[[nodiscard]] std::vector<StudySection> abuffer_sections(const std::vector<SceneResult>& scenes);
+[[nodiscard]] std::vector<StudySection> abuffer_sections(const std::vector<SceneResult>& scenes,
+                                                         const std::vector<TurningResult>& turning);
 [[nodiscard]] std::vector<StudyClaim> abuffer_claims(const SceneResult& scene);
 
 }  // namespace blysk::study

@@ -110,7 +110,8 @@ constexpr SceneRow kScenes[] = {
 };
 
 Result<StudyScene> study_scene(std::string name, const Scene& scene, int width, int height) {
-  Result<std::vector<FlatTriangle>> triangles = flat_triangles(scene, width, height);
+  Result<std::vector<FlatTriangle>> triangles =
+      flat_triangles(scene, study_camera(scene, width, height), width, height);
   if (!triangles) return triangles.error();
   return StudyScene{.name = std::move(name),
                     .width = width,

@@ -76,10 +76,13 @@ Vec3f color_of(const Mesh& mesh, const Material& material, std::uint32_t corner)
 
 }  // namespace
 
-Result<std::vector<FlatTriangle>> flat_triangles(const Scene& scene, int width, int height) {
-  const Camera camera = scene.cameras.empty()
-                            ? frame_camera(scene, {.aspect = static_cast<double>(width) / height})
-                            : scene.cameras.front();
+Camera study_camera(const Scene& scene, int width, int height) {
+  return scene.cameras.empty() ? frame_camera(scene, {.aspect = static_cast<double>(width) / height})
+                               : scene.cameras.front();
+}
+
+Result<std::vector<FlatTriangle>> flat_triangles(const Scene& scene, const Camera& camera, int width,
+                                                 int height) {
   const Result<ViewFrame> view = make_view(camera, scene, width, height);
   if (!view) return view.error();
 

@@ -9,10 +9,14 @@
 
 namespace blysk::study {
 
-/// Through the scene's first camera, else one that frames it from an oblique side. A triangle has the colour
+/// The scene's first camera, else one that frames it from an oblique side.
+[[nodiscard]] Camera study_camera(const Scene& scene, int width, int height);
+
+/// A triangle has the colour
 /// of its first corner, else its material's, shaded by how squarely it faces a fixed lamp; unlit materials
 /// keep theirs. Triangles that the near or far plane would cut are left out, those beside the picture too.
 /// Triangles that hang together have one object number.
-[[nodiscard]] Result<std::vector<FlatTriangle>> flat_triangles(const Scene& scene, int width, int height);
+[[nodiscard]] Result<std::vector<FlatTriangle>> flat_triangles(const Scene& scene, const Camera& camera,
+                                                               int width, int height);
 
 }  // namespace blysk::study

@@ -19,8 +19,8 @@ class Axis {
  public:
   Axis(double low, double high, double from, double to) : from_(from), to_(to) {
     base_ = high / low < 50 ? 2 : 10;
-    low_ = std::floor(log(low) - 1e-9);
-    high_ = std::max(low_ + 1, std::ceil(log(high) + 1e-9));
+    low_ = std::floor(log(low) + 1e-9);
+    high_ = std::max(low_ + 1, std::ceil(log(high) - 1e-9));
   }
   [[nodiscard]] double at(double value) const {
     return from_ + (log(value) - low_) / (high_ - low_) * (to_ - from_);

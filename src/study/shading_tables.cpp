@@ -220,9 +220,9 @@ std::vector<StudyPlot> shading_plots(const ShadingMeasurements& m) {
   const std::string stage_title = "Error on coarse spheres (detail 10) against cost on spans of 64 pixels";
   const std::string frame_title = "Error against time: whole frames of the teapot, one thread";
   constexpr double kFloor = 1e-8;
-  return {{"shading-error-cost", stage_title,
+  return {{"shading-error-cost.svg", stage_title,
            point_plot(stages, {stage_title, "cycles per pixel, " + m.best, "NMSE against phong", kFloor})},
-          {"shading-error-frame", frame_title,
+          {"shading-error-frame.svg", frame_title,
            point_plot(frames, {frame_title, "ms a frame", "NMSE against phong", kFloor})}};
 }
 

@@ -13,7 +13,7 @@ import unittest
 
 from command import BLYSK, REPOSITORY, SQUARE, CommandTest, picture_hash, read_netpbm, read_png
 
-SUBCOMMANDS = ("render", "compare", "info", "methods", "verify", "man", "completion")
+SUBCOMMANDS = ("render", "compare", "info", "methods", "replicate", "verify", "man", "completion")
 
 
 def manual_rows():

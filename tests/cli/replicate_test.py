@@ -7,7 +7,7 @@ import re
 import unittest
 import xml.etree.ElementTree
 
-from command import REPOSITORY, CommandTest
+from command import REPOSITORY, CommandTest, read_png
 
 VERDICTS = {"holds", "holds in part", "does not hold"}
 
@@ -73,6 +73,24 @@ class Replicate(CommandTest):
         output, errors = self.replicate()
         self.assertEqual(errors, "")
         self.assertRegex(output.decode(), r"(?m)^\d+ claims: \d+ holds?, \d+ holds? in part, \d+ do(es)? not hold$")
+
+    def test_abuffer(self):
+        os.mkdir(self.path("plots"))
+        words = ("replicate", "--study", "abuffer", "--scenes", "mesh-2k")
+        page = self.run_command(*words, "--markdown", "-o", "plots")[0].decode()
+        plots = re.findall(r"!\[[^]]+\]\((plots/[^)]+)\)", page)
+        self.assertEqual([os.path.splitext(plot)[1] for plot in plots], [".png", ".svg"])
+        self.assertEqual(read_png(self.read(plots[0])).width, 128)
+        self.assertEqual(len(xml.etree.ElementTree.fromstring(self.read(plots[1])).findall("{http://www.w3.org/2000/svg}polyline")), 7)
+        (study,) = json.loads(self.run_command(*words, "--json", "--threads=1")[0])["studies"]
+        for section in study["sections"]:
+            for table in section["tables"]:
+                for row in table["rows"]:
+                    self.assertEqual(len(row), len(table["columns"]), table["title"])
+        self.assertTrue(study["claims"])
+        self.assertLessEqual({claim["verdict"] for claim in study["claims"]}, VERDICTS)
+        self.fails(2, "replicate", "--study", "abuffer", "--scenes", "soup-7")
+        self.fails(3, *words, "missing.obj")
 
     def test_refusals(self):
         self.assertIn("--json", self.fails(2, "replicate", "--json", "--markdown"))
