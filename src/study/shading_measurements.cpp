@@ -11,11 +11,8 @@ namespace {
 
 constexpr int kTriangleSizes[] = {1, 4, 16, 100};
 constexpr int kSpans[] = {4, 8, 16, 32, 64, 128, 256};
-constexpr int kDetails[] = {10, 25, 50, 100};
+constexpr int kDetails[] = {10, 25, 50, 100}, kThesisDetail = 50;
 constexpr int kSide = 256, kSmallSide = 64, kSpanWidth = 512;
-
-// Settings of the papers that no single setting leads to.
-constexpr const char* kPaperVariants[] = {"symmetric:root=chebyshev,row=3", "symmetric:root=shift,row=3"};
 
 std::optional<std::size_t> index_of(const std::vector<std::string>& names, std::string_view name) {
   const auto found = std::ranges::find(names, name);
@@ -35,7 +32,6 @@ void list_methods(ShadingMeasurements& m) {
     m.methods.emplace_back(row.name);
     for (std::string& variant : method_variants(row)) m.variants.push_back(std::move(variant));
   }
-  for (const char* paper : kPaperVariants) m.variants.emplace_back(paper);
 }
 
 std::vector<SpeedScene> speed_scenes(bool quick) {
@@ -82,7 +78,8 @@ Result<ShadingMeasurements> measure_shading(const StudyOptions& options) {
     if (options.progress) options.progress(what);
   };
   const Rounds rounds = options.quick ? Rounds{3, 0.02} : Rounds{};
-  const Rounds few = options.quick ? Rounds{1, 0.0} : Rounds{9, 0.0};
+  const Rounds frames = options.quick ? Rounds{1, 0.0} : Rounds{25, 0.0};
+  const Rounds few = options.quick ? Rounds{1, 0.0} : Rounds{5, 0.0};
   ShadingMeasurements m;
   list_methods(m);
   m.clock_ghz = clock_hz() * 1e-9;
@@ -117,18 +114,19 @@ Result<ShadingMeasurements> measure_shading(const StudyOptions& options) {
     tell("comparing pictures of spheres, detail " + std::to_string(detail));
     const Result<PictureScene> scene = thesis_spheres(detail, options.quick);
     if (!scene) return scene.error();
-    Result<PictureErrors> errors = picture_errors(*scene, MethodKind::shading, m.variants, few);
+    const Rounds timed = detail == kThesisDetail ? frames : Rounds{0, 0.0};
+    Result<PictureErrors> errors = picture_errors(*scene, MethodKind::shading, m.variants, timed);
     if (!errors) return errors.error();
     m.errors.push_back({scene->name, std::move(*errors)});
-    if (detail != 50) continue;
-    Result<PictureErrors> of_lobes = picture_errors(*scene, MethodKind::lobe, m.lobes, few);
+    if (detail != kThesisDetail) continue;
+    Result<PictureErrors> of_lobes = picture_errors(*scene, MethodKind::lobe, m.lobes, Rounds{0, 0.0});
     if (!of_lobes) return of_lobes.error();
     m.lobe_errors = {scene->name, std::move(*of_lobes)};
   }
   tell("comparing pictures of the teapot");
   const Result<PictureScene> pot = teapot(options.quick);
   if (!pot) return pot.error();
-  Result<PictureErrors> errors = picture_errors(*pot, MethodKind::shading, m.variants, few);
+  Result<PictureErrors> errors = picture_errors(*pot, MethodKind::shading, m.variants, frames);
   if (!errors) return errors.error();
   m.errors.push_back({pot->name, std::move(*errors)});
   return m;
