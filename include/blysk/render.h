@@ -57,6 +57,7 @@ struct RenderOptions {
   std::string lighting = "blinn";     ///< likewise
   std::string lobe = "power";         ///< likewise
   std::string antialias = "abuffer";  ///< likewise
+  float max_error = 1.0f / 512;       ///< that "auto" shading may be off, as shown; 0..1
   Interpolation interpolation = Interpolation::perspective;
   Cull cull = Cull::material;
   Transfer transfer = Transfer::srgb;

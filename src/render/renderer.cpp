@@ -202,7 +202,8 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
                    &plan.view.rays,
                    options.interpolation == Interpolation::screen,
                    options.transfer,
-                   plan.shading.values.data()};
+                   plan.shading.values.data(),
+                   options.max_error};
   if (covered > 0) shade_draws(worker, shading, shade);
   if (covered > 0 && sampled) {
     if (shading.samples->pixels > 0) table.resolve_samples({&buffers, shading.samples, options.transfer});
