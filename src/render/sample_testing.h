@@ -48,7 +48,7 @@ inline Vec3f position_of(const reference::Place& p) {
 // Of a size between two binary orders, in 1/1024 pixel.
 inline reference::Triangle random_triangle(Random& random, double least, double most) {
   const Vec2<double> c = {uniform(random, 0, kWidth * 1024), uniform(random, 0, kHeight * 1024)};
-  const double reach = std::pow(2.0, uniform(random, least, most));
+  const double reach = std::pow(2.0, uniform(random, least, most));  // deterministic: any size will do
   const reference::Place a = random_place(random, c, reach), b = random_place(random, c, reach);
   return {{a, b, random_place(random, c, reach)}};
 }
