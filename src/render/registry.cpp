@@ -164,6 +164,8 @@ constexpr Method kMethods[] = {
      "n above 2.81, else power; ends at an angle of its own"},
     {MethodKind::antialias, "none", "z-buffer, one sample at the pixel centre", "A-buffer paper, A.1", "", "",
      "everywhere"},
+    {MethodKind::antialias, "abuffer", "Exact A-buffer: 16 samples a pixel, one shading a surface",
+     "A-buffer paper, A.3, A.4; own form", "none", "", "everywhere; memory bounded by the tile"},
 };
 
 }  // namespace
