@@ -50,7 +50,10 @@ constexpr MethodSetting kCubicSettings[] = {
     {"third", "1/3: exact, 43/128 by shifts, the same in the printed formulas (wrong by up to 27 %)",
      kCubicThirds}};
 
-constexpr MethodSetting kRowPixels = {"row", "rows of fewer pixels are lit pixel by pixel", {}, 32, 3, 64};
+constexpr MethodSetting kRowPixels = {
+    "row", "rows of fewer pixels are lit pixel by pixel, as phong; from about 32 on the set-up pays",
+    {},    3,
+    3,     64};
 
 constexpr std::string_view kSymmetricRoots[] = {"exact", "taylor", "chebyshev", "shift", "minimax"};
 constexpr MethodSetting kSymmetricSettings[] = {

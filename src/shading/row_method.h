@@ -52,6 +52,9 @@ BLYSK_INLINE RowFrame<Y> spread(const RowFrame<F>& f) {
 
 template <class Law>
 struct RowMethod {
+  /// Sixteen rows of a triangle are set up at once, gathered pixels one by one.
+  static constexpr int kSpanPixels = 3;
+
   template <class F>
   struct LampRow {
     typename Law::template Dot<F> n_l, n_h;

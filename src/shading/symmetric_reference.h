@@ -1,5 +1,5 @@
 // shading/symmetric_reference.h - the accelerated cosines of a row as the thesis writes them, in double
-// precision.
+// precision; the thesis' roots in other number types too, so that their operations can be counted.
 //
 // Specification of the shading thesis, sections 6.1 to 6.4.
 #pragma once
@@ -11,14 +11,29 @@
 namespace blysk::reference {
 
 /// 1 / sqrt(1 + m), m in [-0.5, 0].
-inline double exact_root(double m) { return 1 / std::sqrt(1 + m); }
-inline double taylor_root(double m) { return 1 - m / 2 + 3 * m * m / 8; }
-inline double chebyshev_root(double m) { return 1.003 - 0.403 * m + 0.82 * m * m; }
+template <class T>
+T exact_root_of(const T& m) {
+  using std::sqrt;
+  return 1 / sqrt(1 + m);
+}
+template <class T>
+T taylor_root_of(const T& m) {
+  return 1 - m / 2 + T(0.375) * m * m;
+}
+template <class T>
+T chebyshev_root_of(const T& m) {
+  return T(1.003) - T(0.403) * m + T(0.82) * m * m;
+}
 /// Shifts alone beside one product: l = 1/4 + 1/8 + 1/32.
-inline double shift_root(double m) {
-  const double z = m * (2 * m - 1);
+template <class T>
+T shift_root_of(const T& m) {
+  const T z = m * (2 * m - 1);
   return 1 + (z / 4 + z / 8 + z / 32);
 }
+inline double exact_root(double m) { return exact_root_of(m); }
+inline double taylor_root(double m) { return taylor_root_of(m); }
+inline double chebyshev_root(double m) { return chebyshev_root_of(m); }
+inline double shift_root(double m) { return shift_root_of(m); }
 inline double minimax_root(double m) { return 1.00318764536 - 0.395312238031 * m + 0.835447146791 * m * m; }
 /// Exact on rows that do not turn.
 inline double anchored_root(double m) { return 1 - 0.422544240097 * m + 0.79063195182 * m * m; }

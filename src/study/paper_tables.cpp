@@ -73,7 +73,7 @@ constexpr FormulaRow kFormulas[] = {{0, 1280, 80, 0, 1360}, {1, 640, 80, 0, 720}
                                     {3, 48, 37, 29, 114},   {4, 48, 50, 29, 127}, {5, 256, 37, 3, 296},
                                     {6, 48, 63, 29, 140}};
 
-constexpr ErrorRow kErrors[] = {{"accelerated diffuse and specular", "symmetric", 0.00011},
+constexpr ErrorRow kErrors[] = {{"accelerated diffuse and specular", "symmetric:root=chebyshev", 0.00011},
                                 {"angular interpolation", "angular", 0.00018},
                                 {"second-order surface", "quadratic", 0.00019},
                                 {"cubic polynomial", "cubic", 0.00015}};

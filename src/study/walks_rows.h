@@ -3,6 +3,7 @@
 #pragma once
 
 #include "shading/normals_reference.h"
+#include "shading/symmetric_reference.h"
 #include "study/walk.h"
 
 namespace blysk::study {
@@ -12,13 +13,10 @@ enum class Root { exact, taylor, chebyshev, shift };
 
 template <Root kRoot, class T>
 T inverse_root(const T& m) {
-  using std::sqrt;
-  if constexpr (kRoot == Root::exact) return 1 / sqrt(1 + m);
-  if constexpr (kRoot == Root::taylor) return 1 - m / 2 + T(0.375) * m * m;
-  if constexpr (kRoot == Root::chebyshev) return T(1.003) + m * (T(0.82) * m - T(0.403));
-  // 1 - l m + 2 l m^2 with l = 13/32 = 1/4 + 1/8 + 1/32
-  const T z = m * (2 * m - 1);
-  return 1 + (z / 4 + z / 8 + z / 32);
+  if constexpr (kRoot == Root::exact) return reference::exact_root_of(m);
+  if constexpr (kRoot == Root::taylor) return reference::taylor_root_of(m);
+  if constexpr (kRoot == Root::chebyshev) return reference::chebyshev_root_of(m);
+  if constexpr (kRoot == Root::shift) return reference::shift_root_of(m);
 }
 
 /// A dot product with the row's linear normals, from both ends.
