@@ -56,7 +56,7 @@ struct RenderOptions {
   std::string shading = "phong";   ///< as choose_method() reads it
   std::string lighting = "blinn";  ///< likewise
   std::string lobe = "power";      ///< likewise
-  std::string antialias = "none";  ///< likewise
+  std::string antialias = "abuffer";  ///< likewise
   Interpolation interpolation = Interpolation::perspective;
   Cull cull = Cull::material;
   Transfer transfer = Transfer::srgb;

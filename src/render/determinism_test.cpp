@@ -42,6 +42,7 @@ Scene shape_scene(const char* text) {
 
 RenderOptions sized(int width, int height) {
   RenderOptions o;
+  o.antialias = "none";
   o.width = width;
   o.height = height;
   o.want_depth = o.want_normal = o.want_id = true;
