@@ -80,7 +80,7 @@ void ListTile::prepare(const FramePlan& plan, std::size_t max_bytes) {
 }
 
 // Pieces of a clipped triangle have one triangle but numbers of their own.
-void ListTile::add(const GlassEntry& entry, const TileJob& job, std::uint32_t number) {
+void ListTile::add(const GlassEntry& entry, const TileJob& job, std::uint32_t number, std::uint32_t object) {
   const LargeEntry& t = entry.triangle;
   std::array<Subpixel, 3> c;
   std::array<double, 3> z;
@@ -96,7 +96,7 @@ void ListTile::add(const GlassEntry& entry, const TileJob& job, std::uint32_t nu
                 .zy = static_cast<float>(plane.zy),
                 .alpha = entry.opacity,
                 .id = number,
-                .object = t.id};
+                .object = object};
   const auto first = [](std::int32_t low, int start) { return std::max((low >> kSubpixelBits) - start, 0); };
   const auto last = [](std::int32_t high, int start, int count) {
     return std::min((high >> kSubpixelBits) - start, count - 1);
@@ -168,8 +168,11 @@ int ListTile::draw(const FramePlan& plan, const TileJob& job, SampleBuffers& sam
   samples.weighted = false;
   tile_->clear(kTilePixels);
   gather_entries(plan, job, kAll, entries_);
+  std::uint32_t draw_of = 0;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    add(entries_[i], job, static_cast<std::uint32_t>(i));
+    const std::uint32_t id = entries_[i].triangle.id;
+    while (id - plan.draws[draw_of].draw.id_base >= plan.draws[draw_of].draw.id_count) ++draw_of;
+    add(entries_[i], job, static_cast<std::uint32_t>(i), draw_of);
     if (waiting_.size() >= kBatch) flush(samples, shade);
   }
   flush(samples, shade);

@@ -32,7 +32,7 @@ class ListTile {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  void add(const GlassEntry& entry, const TileJob& job, std::uint32_t number);
+  void add(const GlassEntry& entry, const TileJob& job, std::uint32_t number, std::uint32_t object);
   void flush(SampleBuffers& samples, const Shade& shade);
   void shade_round(std::size_t first, std::size_t end, SampleBuffers& samples, const Shade& shade);
 
