@@ -77,6 +77,7 @@ struct FrameStatistics {
   std::uint64_t layers_generated = 0;  ///< of transparent triangles: in pixels, hidden or not
   std::uint64_t layers_merged = 0;     ///< that a pixel had no room for, so that two became one
   std::uint64_t pixels_merged = 0;     ///< with such layers
+  std::uint64_t fragments_lost = 0;    ///< abuffer-discard, -merge, -pool: dropped, or merged with another
   std::uint64_t memory_bytes = 0;      ///< held by the renderer beyond scene and image
   double geometry_ms = 0, tiles_ms = 0, frame_ms = 0;
 };
