@@ -97,9 +97,12 @@ Status print_markdown() {
             "|---|---|---|---|---|---|\n";
     for (const Method& method : methods()) {
       if (method.kind != kind) continue;
-      text += "| `" + std::string(method.name) + "` | " + std::string(method.title) + " | " +
-              std::string(method.source) + " | " + std::string(method.reference) + " | " +
-              std::string(method.claim) + " | " + std::string(method.limits) + " |\n";
+      const std::string name(method.name), code = "`" + name + "`";
+      const bool has_page = kind == MethodKind::shading;  // tools/method-pages
+      text += "| " + (has_page ? "[" + code + "](methods/" + name + ".md)" : code) + " | " +
+              std::string(method.title) + " | " + std::string(method.source) + " | " +
+              std::string(method.reference) + " | " + std::string(method.claim) + " | " +
+              std::string(method.limits) + " |\n";
     }
     text += settings_markdown(kind);
   }

@@ -255,10 +255,11 @@ std::string reports_text(const std::vector<StudyReport>& reports) {
 }
 
 std::string reports_markdown(const std::vector<StudyReport>& reports, const std::string& folder) {
-  std::string text =
-      "# Replication\n\nWhat the papers claim and what is found here. This page is what\n"
-      "`blysk replicate --markdown -o docs/images` prints.\n\n" +
-      head_line(reports) + "\n";
+  const std::string which = reports.size() == 1 ? " --study " + reports.front().name : "";
+  std::string text = std::string(
+                         "# Replication\n\nWhat the papers claim and what is found here. This page is "
+                         "what\n`blysk replicate") +
+                     which + " --markdown -o docs/images` prints.\n\n" + head_line(reports) + "\n";
   for (const StudyReport& report : reports) text += report_markdown(report, folder);
   return text;
 }

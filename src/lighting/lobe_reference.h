@@ -25,6 +25,18 @@ T integer_power(T b, int k) {
   return r;
 }
 
+/// The same where k is known beforehand, so that no loop is left.
+template <int k, class T>
+T fixed_power(const T& b) {
+  static_assert(k >= 1);
+  if constexpr (k == 1) {
+    return b;
+  } else {
+    const T half = fixed_power<k / 2>(b);
+    return k % 2 == 0 ? half * half : half * half * b;
+  }
+}
+
 /// c^n.
 double power_lobe(double c, double n);
 /// c / (n - n c + c).
@@ -41,6 +53,12 @@ double w_shift_scale(double n, int k);
 template <class T = double>
 T w_lobe(T c, double scale, int k) {
   return integer_power(std::max(T(0), T(scale) * (c - 1) + 1), k);
+}
+
+/// The same where k is known beforehand.
+template <int k, class T>
+T fixed_w_lobe(const T& c, double scale) {
+  return fixed_power<k>(std::max(T(0), T(scale) * (c - 1) + 1));
 }
 
 /// 2^(n log2 c), both functions linear between powers of two: the hardware form without ROM.

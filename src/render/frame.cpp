@@ -30,6 +30,9 @@ Status check(const RenderOptions& o) {
   if (o.width < 1 || o.height < 1 || o.width > kLargestSide || o.height > kLargestSide) {
     return failure(ErrorCode::usage, "the picture's sides must be 1 to 16384 pixels");
   }
+  if (!(o.max_error >= 0 && o.max_error <= 1)) {
+    return failure(ErrorCode::usage, "the largest error of shading must be 0 to 1");
+  }
   const std::pair<MethodKind, const std::string*> chosen[] = {{MethodKind::shading, &o.shading},
                                                               {MethodKind::lighting, &o.lighting},
                                                               {MethodKind::lobe, &o.lobe},

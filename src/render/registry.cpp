@@ -158,6 +158,11 @@ constexpr Method kMethods[] = {
      "point "
      "and those that do not hold the highlight are lit pixel by pixel",
      kLightingTextureSettings},
+    {MethodKind::shading, "auto",
+     "For each triangle, colours interpolated where that is provably near Phong shading, else Phong shading",
+     "docs/auto.md", "phong", "",
+     "within --max-error of phong; Phong shading alone for point lights, colours of vertices, the lighting "
+     "model phong and the lobes schlick, quadratic and logarithmic"},
     {MethodKind::lighting, "blinn", "Specular term by N.H", "Blinn 1977; thesis 2.1", "", "",
      "L + V not zero"},
     {MethodKind::lighting, "phong", "Specular term by R.V", "Phong 1975; thesis (2.1)", "", "", "everywhere"},

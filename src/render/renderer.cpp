@@ -202,7 +202,8 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
                    &plan.view.rays,
                    options.interpolation == Interpolation::screen,
                    options.transfer,
-                   plan.shading.values.data()};
+                   plan.shading.values.data(),
+                   options.max_error};
   if (work && listed) {
     covered = worker.lists.draw(plan, job, *shading.samples, [&] { shade_draws(worker, shading, shade); });
   }

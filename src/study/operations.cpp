@@ -177,13 +177,13 @@ Operations count_lobe(CountedLobe lobe) {
   const Operations before = operations_so_far();
   switch (lobe) {
     case CountedLobe::power:
-      static_cast<void>(reference::integer_power(c, n));
+      static_cast<void>(reference::fixed_power<n>(c));
       break;
     case CountedLobe::schlick:
       static_cast<void>(reference::schlick_lobe(c, n));
       break;
     case CountedLobe::w16:
-      static_cast<void>(reference::w_lobe(c, reference::w_shift_scale(n, 16), 16));
+      static_cast<void>(reference::fixed_w_lobe<16>(c, reference::w_shift_scale(n, 16)));
       break;
   }
   return operations_so_far() - before;

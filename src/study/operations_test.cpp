@@ -5,7 +5,10 @@
 
 #include <cmath>
 
+#include "shading/angular_reference.h"
 #include "shading/cubic_reference.h"
+#include "shading/normals_reference.h"
+#include "shading/symmetric_reference.h"
 #include "study/cost_model.h"
 #include "study/paper_tables.h"
 
@@ -138,6 +141,28 @@ TEST(operations, walks_show_what_their_method_does) {
     EXPECT_LE(specular, e.specular) << e.name;
   }
   EXPECT_EQ(exact.all().size(), static_cast<std::size_t>(kAveragePixels));
+}
+
+// The walks of rows against the closed forms that the kernels are held to.
+TEST(operations, walks_of_rows_are_their_reference_forms) {
+  const WalkTriangle<double> t = average_triangle<double>();
+  const auto normals = reference::linear_normals<double>(t.corner, t.normal);
+  Pixels<double> symmetric(t.rows), chebyshev(t.rows), angular(t.rows);
+  find_walk("symmetric").run_exactly(t, symmetric);
+  find_walk("symmetric-chebyshev").run_exactly(t, chebyshev);
+  find_walk("angular").run_exactly(t, angular);
+  for (std::size_t r = 0; r < t.rows.size(); ++r) {
+    const PixelRow& row = t.rows[r];
+    if (row.steps() == 0) continue;
+    const Vec3d a = normalize(normals.at(row.left, row.y)), b = normalize(normals.at(row.right, row.y));
+    const reference::SymmetricRow exact(a, b, t.light, row.steps());
+    const reference::AngularRow arc(a, b, t.light, row.steps());
+    for (int x = 0; x <= row.steps(); ++x) {
+      EXPECT_NEAR(symmetric.at(r, x).diffuse, exact.cosine(x, reference::shift_root), 1e-12);
+      EXPECT_NEAR(chebyshev.at(r, x).diffuse, exact.cosine(x, reference::chebyshev_root), 1e-12);
+      EXPECT_NEAR(angular.at(r, x).diffuse, arc.expanded(x), 2e-5);  // its arc cosine is a polynomial
+    }
+  }
 }
 
 TEST(operations, the_two_cubics_and_the_two_gouraud_agree) {

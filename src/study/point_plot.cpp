@@ -19,11 +19,11 @@ class Axis {
  public:
   Axis(double low, double high, double from, double to) : from_(from), to_(to) {
     base_ = high / low < 50 ? 2 : 10;
-    low_ = std::floor(log(low) - 1e-9);
-    high_ = std::max(low_ + 1, std::ceil(log(high) + 1e-9));
+    low_ = std::floor(order(low) + 1e-9);
+    high_ = std::max(low_ + 1, std::ceil(order(high) - 1e-9));
   }
   [[nodiscard]] double at(double value) const {
-    return from_ + (log(value) - low_) / (high_ - low_) * (to_ - from_);
+    return from_ + (order(value) - low_) / (high_ - low_) * (to_ - from_);
   }
   [[nodiscard]] std::vector<double> ticks() const {
     std::vector<double> values;
@@ -35,7 +35,7 @@ class Axis {
   }
 
  private:
-  [[nodiscard]] double log(double value) const {
+  [[nodiscard]] double order(double value) const {
     return std::log2(value) / std::log2(base_);  // deterministic: places of points in a plot
   }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kTriangleSizes[] = {1, 4, 16, 100};
 constexpr int kSpans[] = {4, 8, 16, 32, 64, 128, 256};
-constexpr int kDetails[] = {10, 25, 50, 100};
+constexpr int kDetails[] = {10, 25, 50, 100}, kThesisDetail = 50;
 constexpr int kSide = 256, kSmallSide = 64, kSpanWidth = 512;
 
 std::optional<std::size_t> index_of(const std::vector<std::string>& names, std::string_view name) {
@@ -78,7 +78,8 @@ Result<ShadingMeasurements> measure_shading(const StudyOptions& options) {
     if (options.progress) options.progress(what);
   };
   const Rounds rounds = options.quick ? Rounds{3, 0.02} : Rounds{};
-  const Rounds few = options.quick ? Rounds{1, 0.0} : Rounds{9, 0.0};
+  const Rounds frames = options.quick ? Rounds{1, 0.0} : Rounds{25, 0.0};
+  const Rounds few = options.quick ? Rounds{1, 0.0} : Rounds{5, 0.0};
   ShadingMeasurements m;
   list_methods(m);
   m.clock_ghz = clock_hz() * 1e-9;
@@ -105,25 +106,27 @@ Result<ShadingMeasurements> measure_shading(const StudyOptions& options) {
   m.variant_speeds = shading_cost(scene_of("span 64"), m.variants, Isa::best, rounds);
   SpeedScene matt = scene_of("100 pixels");
   matt.options.lighting = "lambert";
-  m.diffuse_speeds = shading_cost(matt, m.methods, Isa::best, rounds);
+  m.diffuse_speeds = shading_cost(matt, m.variants, Isa::best, rounds);
+  m.small_speeds = shading_cost(scene_of("100 pixels"), m.variants, Isa::best, rounds);
   m.lobe_speeds = lobe_cost(m.lobes, rounds);
 
   for (const int detail : kDetails) {
     tell("comparing pictures of spheres, detail " + std::to_string(detail));
     const Result<PictureScene> scene = thesis_spheres(detail, options.quick);
     if (!scene) return scene.error();
-    Result<PictureErrors> errors = picture_errors(*scene, MethodKind::shading, m.variants, few);
+    const Rounds timed = detail == kThesisDetail ? frames : Rounds{0, 0.0};
+    Result<PictureErrors> errors = picture_errors(*scene, MethodKind::shading, m.variants, timed);
     if (!errors) return errors.error();
     m.errors.push_back({scene->name, std::move(*errors)});
-    if (detail != 50) continue;
-    Result<PictureErrors> of_lobes = picture_errors(*scene, MethodKind::lobe, m.lobes, few);
+    if (detail != kThesisDetail) continue;
+    Result<PictureErrors> of_lobes = picture_errors(*scene, MethodKind::lobe, m.lobes, Rounds{0, 0.0});
     if (!of_lobes) return of_lobes.error();
     m.lobe_errors = {scene->name, std::move(*of_lobes)};
   }
   tell("comparing pictures of the teapot");
   const Result<PictureScene> pot = teapot(options.quick);
   if (!pot) return pot.error();
-  Result<PictureErrors> errors = picture_errors(*pot, MethodKind::shading, m.variants, few);
+  Result<PictureErrors> errors = picture_errors(*pot, MethodKind::shading, m.variants, frames);
   if (!errors) return errors.error();
   m.errors.push_back({pot->name, std::move(*errors)});
   return m;

@@ -35,10 +35,12 @@ struct ShadingMeasurements {
   std::vector<double> rows;                               ///< cycles per pixel by QuadraticForm
   std::vector<double> normalisations;                     ///< cycles by Normalisation
   std::vector<double> plain_lobes;                        ///< cycles by CountedLobe
-  ShadingCost lobe_speeds, variant_speeds;                ///< on spans of 64 pixels
-  ShadingCost diffuse_speeds;       ///< of methods with Lambert's light, triangles of 100 pixels
-  std::vector<ErrorColumn> errors;  ///< of variants, frames timed
-  ErrorColumn lobe_errors;          ///< of lobes
+  ShadingCost lobe_speeds;                                ///< on spans of 64 pixels
+  ShadingCost variant_speeds;                             ///< on spans of 64 pixels
+  ShadingCost small_speeds;                               ///< of variants on triangles of 100 pixels
+  ShadingCost diffuse_speeds;                             ///< the same with Lambert's light
+  std::vector<ErrorColumn> errors;                        ///< of variants, frames timed
+  ErrorColumn lobe_errors;                                ///< of lobes
   double clock_ghz = 0;
   std::string best;  ///< instruction set
 

@@ -164,9 +164,9 @@ std::vector<double> plain_lobe_cost(const Rounds& rounds) {
   };
   const double scale = reference::w_shift_scale(kShininess, 16);
   const std::vector<std::function<void()>> runs = {
-      each([](float c) { return reference::integer_power(c, kShininess); }),
+      each([](float c) { return reference::fixed_power<kShininess>(c); }),
       each([](float c) { return reference::schlick_lobe(c, kShininess); }),
-      each([scale](float c) { return reference::w_lobe(c, scale, 16); })};
+      each([scale](float c) { return reference::fixed_w_lobe<16>(c, scale); })};
   return cost_of(runs, kCosines, rounds).cycles;
 }
 

@@ -132,7 +132,7 @@ class CountedPixels : public Pixels<Counted> {
 template <class T>
 Terms<T> light_unit(const WalkTriangle<T>& t, const Vec3<T>& normal) {
   return {dot(normal, t.light),
-          reference::integer_power(std::max(T(0), dot(normal, t.halfway)), kWalkShininess)};
+          reference::fixed_power<kWalkShininess>(std::max(T(0), dot(normal, t.halfway)))};
 }
 
 enum class Lit { diffuse, both };
@@ -142,7 +142,7 @@ template <Lit kLit = Lit::both, class T>
 Terms<T> light_scaled(const WalkTriangle<T>& t, const Vec3<T>& normal, const T& inverse_length) {
   if constexpr (kLit == Lit::diffuse) return {std::max(T(0), dot(normal, t.light) * inverse_length), T(0)};
   return {std::max(T(0), dot(normal, t.light) * inverse_length),
-          reference::integer_power(std::max(T(0), dot(normal, t.halfway) * inverse_length), kWalkShininess)};
+          reference::fixed_power<kWalkShininess>(std::max(T(0), dot(normal, t.halfway) * inverse_length))};
 }
 
 template <class T>

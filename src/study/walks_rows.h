@@ -36,7 +36,7 @@ struct Numerator {
 template <Lit kLit = Lit::both, class T>
 Terms<T> from_dots(const T& diffuse, const T& specular) {
   if constexpr (kLit == Lit::diffuse) return {std::max(T(0), diffuse), T(0)};
-  return {std::max(T(0), diffuse), reference::integer_power(std::max(T(0), specular), kWalkShininess)};
+  return {std::max(T(0), diffuse), reference::fixed_power<kWalkShininess>(std::max(T(0), specular))};
 }
 
 /// Two pixels from one root, no division in the loop (section 6.2).

@@ -7,7 +7,7 @@ import re
 import unittest
 import xml.etree.ElementTree
 
-from command import CommandTest, read_png
+from command import REPOSITORY, CommandTest, read_png
 
 VERDICTS = {"holds", "holds in part", "does not hold"}
 
@@ -98,6 +98,13 @@ class Replicate(CommandTest):
         self.assertIn("abuffer", self.fails(2, "replicate", "--scenes", "grass"))
         self.assertIn("abuffer", self.fails(2, "replicate", "square.obj"))
         self.assertIn("create it", self.fails(4, "replicate", "--quick", "-o", "nowhere"))
+
+    def test_every_shading_method_has_its_page(self):
+        methods = json.loads(self.run_command("methods", "--json")[0])["methods"]
+        for name in (m["name"] for m in methods if m["kind"] == "shading"):
+            for page in (f"texts/{name}.md", f"{name}.md"):
+                path = os.path.join(REPOSITORY, "docs", "methods", page)
+                self.assertTrue(os.path.exists(path), f"{page} is missing: write texts/{name}.md, run tools/method-pages")
 
 
 if __name__ == "__main__":
