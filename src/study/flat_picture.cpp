@@ -29,8 +29,8 @@ Quality PictureError::quality() const {
   constexpr double kRounding = 1e-12;  // merged colours are floats: their rounding is no error
   const auto all = static_cast<double>(pixels);
   const double nmse = squares <= kRounding * reference ? 0 : squares / reference;
-  const double psnr =
-      nmse == 0 ? std::numeric_limits<double>::infinity() : 10 * std::log10(255.0 * 255 * 3 * all / squares);
+  double psnr = std::numeric_limits<double>::infinity();
+  if (nmse > 0) psnr = 10 * std::log10(255.0 * 255 * 3 * all / squares);  // deterministic: shown to a tenth
   return {nmse, psnr, static_cast<double>(over_8) / all, static_cast<double>(over_32) / all};
 }
 

@@ -52,7 +52,8 @@ class Frame {
   [[nodiscard]] std::string curve(const Curve& c, std::size_t index) const {
     std::string points;
     for (const auto& [x, y] : c.points) {
-      points += svg_number(column(x)) + "," + svg_number(row(y > 0 ? std::log10(y) : options_.y_low)) + " ";
+      const double power = y > 0 ? std::log10(y) : options_.y_low;  // deterministic: drawn to a tenth
+      points += svg_number(column(x)) + "," + svg_number(row(power)) + " ";
       if (!(y > 0)) break;  // nothing is left to improve
     }
     return "<polyline fill=\"none\" stroke=\"" + std::string(kColors[index % kColors.size()]) +
