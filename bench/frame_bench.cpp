@@ -1,4 +1,4 @@
-// frame_bench SCENE W H FRAMES [--threads N] [--isa NAME] [--shading NAME] [--json]
+// frame_bench SCENE W H FRAMES [--threads N] [--isa NAME] [--shading NAME] [--antialias NAME] [--json]
 //
 // Renders SCENE (scenes.h) along one turn of the camera, after two frames to warm up, and prints the median
 // frame on one line. Sums over frames are of no interest: the host disturbs some of them.
@@ -22,7 +22,7 @@ struct Job {
   std::string scene;
   int width = 0, height = 0, frames = 0;
   RendererOptions renderer;
-  std::string shading = "phong";
+  std::string shading = "phong", antialias = "none";
   bool json = false;
 };
 
@@ -85,6 +85,8 @@ std::optional<Job> read_arguments(const std::vector<std::string>& words) {
       job.renderer.isa = *isa;
     } else if (option == "--shading") {
       job.shading = value;
+    } else if (option == "--antialias") {
+      job.antialias = value;
     } else {
       return std::nullopt;
     }
@@ -98,6 +100,7 @@ Result<Outcome> run(const Job& job) {
   Renderer renderer(job.renderer);
   RenderOptions options = frame_options(job.width, job.height);
   options.shading = job.shading;
+  options.antialias = job.antialias;
   Frame frame;
   Outcome outcome;
   for (int i = -kWarmUp; i < job.frames; ++i) {
@@ -168,8 +171,10 @@ int main(int count, char** words) {
   using namespace blysk::bench;
   const std::optional<Job> job = read_arguments({words + 1, words + count});
   if (!job) {
-    std::fputs("usage: frame_bench SCENE W H FRAMES [--threads N] [--isa NAME] [--shading NAME] [--json]\n",
-               stderr);
+    std::fputs(
+        "usage: frame_bench SCENE W H FRAMES [--threads N] [--isa NAME] [--shading NAME] [--antialias NAME] "
+        "[--json]\n",
+        stderr);
     return 2;
   }
   const blysk::Result<Outcome> outcome = run(*job);

@@ -208,6 +208,7 @@ void aim(const Stage& stage, double turn, RenderOptions& options) {
 
 RenderOptions frame_options(int width, int height) {
   RenderOptions options;
+  options.antialias = "none";
   options.width = width;
   options.height = height;
   options.ambient = 0.15f;

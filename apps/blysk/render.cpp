@@ -65,7 +65,12 @@ Json to_json(const Told& told) {
         {"culled", statistics.triangles_culled},
         {"drawn", statistics.triangles_drawn}}},
       {"pixels", {{"covered", statistics.pixels_covered}}},
-      {"fragments", Json::object()},
+      {"fragments",
+       {{"shaded", statistics.fragments_shaded},
+        {"pixels", statistics.pixels_shared},
+        {"transparent", statistics.layers_generated},
+        {"merged", statistics.layers_merged},
+        {"merged_pixels", statistics.pixels_merged}}},
       {"memory", {{"renderer", statistics.memory_bytes}, {"peak", peak_bytes()}}},
       {"ms",
        {{"load", json_ms(told.times.load)},
@@ -86,6 +91,13 @@ Json to_json(const Told& told) {
 }
 
 std::string point_text(Vec3d p) { return number_text(p.x) + "," + number_text(p.y) + "," + number_text(p.z); }
+
+// Where transparency is no longer exact.
+void warn_merged(const FrameStatistics& s) {
+  if (s.layers_merged == 0) return;
+  warn(counted(s.layers_merged, "transparent layer") + " in " + counted(s.pixels_merged, "pixel") +
+       " went into others: a pixel keeps 64; the farthest are inexact");
+}
 
 void say_details(const Told& told) {
   const Camera& camera = told.camera;
@@ -157,6 +169,7 @@ Result<int> run_render(const Arguments& arguments) {
   const Told told = {arguments, *outputs, *scene, *options->camera, renderer, frame, times};
   if (!quiet) {
     warn_problems(*scene, arguments);
+    warn_merged(frame.statistics);
     if (arguments.has("verbose")) say_details(told);
     say_summary(told);
   }

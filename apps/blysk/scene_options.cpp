@@ -56,6 +56,10 @@ void override_materials(const Arguments& arguments, Scene& scene) {
     if (const Value* shininess = arguments.find("shininess")) {
       material.shininess = static_cast<float>(shininess->numbers[0]);
     }
+    if (const Value* opacity = arguments.find("opacity")) {
+      material.opacity = static_cast<float>(opacity->numbers[0]);
+      material.alpha_mode = AlphaMode::blend;
+    }
   }
 }
 

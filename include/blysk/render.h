@@ -56,7 +56,7 @@ struct RenderOptions {
   std::string shading = "phong";   ///< as choose_method() reads it
   std::string lighting = "blinn";  ///< likewise
   std::string lobe = "power";      ///< likewise
-  std::string antialias = "none";  ///< likewise
+  std::string antialias = "abuffer";  ///< likewise
   Interpolation interpolation = Interpolation::perspective;
   Cull cull = Cull::material;
   Transfer transfer = Transfer::srgb;
@@ -68,8 +68,13 @@ struct RenderOptions {
 struct FrameStatistics {
   std::uint64_t triangles_in = 0;      ///< of all instances
   std::uint64_t triangles_culled = 0;  ///< facing away, when culling
-  std::uint64_t triangles_drawn = 0;   ///< that reach at least one pixel centre of the picture, hidden or not
-  std::uint64_t pixels_covered = 0;
+  std::uint64_t triangles_drawn = 0;   ///< that reach a pixel centre (antialiased: may reach a sample) of the picture, hidden or not
+  std::uint64_t pixels_covered = 0;    ///< wholly or in part
+  std::uint64_t pixels_shared = 0;     ///< antialiased: that show more than one surface, or background too
+  std::uint64_t fragments_shaded = 0;  ///< antialiased: of these pixels; each is one surface's samples
+  std::uint64_t layers_generated = 0;  ///< of transparent triangles: in pixels, hidden or not
+  std::uint64_t layers_merged = 0;     ///< that a pixel had no room for, so that two became one
+  std::uint64_t pixels_merged = 0;     ///< with such layers
   std::uint64_t memory_bytes = 0;  ///< held by the renderer beyond scene and image
   double geometry_ms = 0, tiles_ms = 0, frame_ms = 0;
 };

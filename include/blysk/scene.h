@@ -44,7 +44,7 @@ struct Material {
   Vec3f specular{0.2f, 0.2f, 0.2f};  ///< ks
   float shininess = 32;              ///< exponent of the lobe, 1..1000
   Vec3f emission{0, 0, 0};           ///< added light, independent of lamps
-  float opacity = 1;                 ///< 0 clear, 1 opaque; kept for the antialiasing issue's blending
+  float opacity = 1;                 ///< 0 clear, 1 opaque; of AlphaMode::mask and blend
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;        ///< for AlphaMode::mask
   bool double_sided = true;         ///< false: back faces are culled when Cull::material is asked for

@@ -23,6 +23,8 @@ struct AssembleJob {
   int width, height;             ///< picture, pixels
   int tiles_x;
   DropArea drop;
+  Sampling sampling;  ///< triangles that miss all of these go
+  bool transparent;   ///< of Sampling::samples: the triangles go to lists of their own
   ThreadBins* owner;  ///< of the lists
   Bin* bins;          ///< owner->bins()
 
@@ -31,7 +33,8 @@ struct AssembleJob {
   std::uint64_t culled, drawn;  ///< out: added to
 };
 
-/// Bins small triangles and leaves large and unplaced ones in job.rest.
+/// Bins small triangles (of Sampling::centers the very small ones as dots) and leaves large and unplaced ones
+/// in job.rest.
 using AssembleFunction = void (*)(AssembleJob&);
 
 /// The triangles of job.rest: clips what has unplaced vertices, bins what is large.

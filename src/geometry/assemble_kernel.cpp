@@ -1,5 +1,5 @@
-// Sixteen triangles at a time: what covers no pixel centre goes before it touches memory, the very small ones
-// end here as dots, the small ones go to bins.
+// Sixteen triangles at a time: what misses all pixel centres (or all samples) goes before it touches memory,
+// the very small ones end here as dots, the small ones go to bins.
 #include "geometry/assemble.h"
 #include "geometry/bin_writer.h"
 #include "simd/kernels.h"
@@ -22,7 +22,7 @@ struct Triangles {
   I32 x[3], y[3];
   F32 nearness[3];
   I32 area;                      // twice the area, 1/65536 pixel
-  I32 left, top, right, bottom;  // pixel centres in the box, inclusive
+  I32 left, top, right, bottom;  // pixels with a centre (or sample) in the box, inclusive
   I32 id;
 };
 
@@ -38,7 +38,7 @@ BLYSK_INLINE void swap_where(Mask m, Lanes& a, Lanes& b) {
 
 // Edge function a -> b, its value at the first centre and its steps; inside is >= 0 under the top-left rule.
 struct Edge {
-  I32 value, step_x, step_y, bias;
+  I32 value, step_x, step_y;
 };
 
 BLYSK_INLINE Edge make_edge(const Triangles& t, int a, int b) {
@@ -48,10 +48,10 @@ BLYSK_INLINE Edge make_edge(const Triangles& t, int a, int b) {
   e.step_y = shift_left<kSubpixelBits>(dx);
   // Top edges (level, interior below) and left edges (going up) own their points.
   const Mask owns = (dy < I32(0)) | ((dy == I32(0)) & (dx > I32(0)));
-  e.bias = select(owns, I32(0), I32(-1));
+  const I32 bias = select(owns, I32(0), I32(-1));
   const I32 px = shift_left<kSubpixelBits>(t.left) + I32(kSubpixels / 2);
   const I32 py = shift_left<kSubpixelBits>(t.top) + I32(kSubpixels / 2);
-  e.value = dx * (py - t.y[a]) - dy * (px - t.x[a]) + e.bias;
+  e.value = dx * (py - t.y[a]) - dy * (px - t.x[a]) + bias;
   return e;
 }
 
@@ -63,11 +63,15 @@ struct Dots {
 BLYSK_INLINE int find_dots(const AssembleJob& job, const Triangles& t, Mask which, Dots& dots,
                            Mask& hit_any) {
   Edge e0 = make_edge(t, 1, 2), e1 = make_edge(t, 2, 0), e2 = make_edge(t, 0, 1);
-  // Interpolation of nearness from the two exact weights e1 and e2.
+  // The plane of nearness, as the tile's kernels have it.
   const F32 z0 = t.nearness[0];
   const F32 inverse = F32(1.0f) / to_float(t.area);
-  const F32 dz1 = (t.nearness[1] - z0) * inverse;
-  const F32 dz2 = (t.nearness[2] - z0) * inverse;
+  const F32 dz1 = t.nearness[1] - z0, dz2 = t.nearness[2] - z0;
+  const I32 dx1 = t.x[1] - t.x[0], dy1 = t.y[1] - t.y[0], dx2 = t.x[2] - t.x[0], dy2 = t.y[2] - t.y[0];
+  const F32 slope_x = (dz1 * to_float(dy2) - dz2 * to_float(dy1)) * inverse;
+  const F32 slope_y = (dz2 * to_float(dx1) - dz1 * to_float(dx2)) * inverse;
+  const F32 across = to_float(shift_left<kSubpixelBits>(t.left) + I32(kSubpixels / 2) - t.x[0]);
+  const F32 down = to_float(shift_left<kSubpixelBits>(t.top) + I32(kSubpixels / 2) - t.y[0]);
   // Rounding must not carry a dot beyond its corners: below 0 it would be lost.
   const F32 lowest = min(min(z0, t.nearness[1]), t.nearness[2]);
   const F32 highest = max(max(z0, t.nearness[1]), t.nearness[2]);
@@ -78,11 +82,12 @@ BLYSK_INLINE int find_dots(const AssembleJob& job, const Triangles& t, Mask whic
     const Mask in_row = which & (row <= t.bottom);
     if (!any(in_row)) break;
     I32 v0 = e0.value, v1 = e1.value, v2 = e2.value;
+    const F32 start = z0 + (down + F32(static_cast<float>(j * kSubpixels))) * slope_y;
     for (int i = 0; i < kDotSide; ++i) {
       const I32 column = t.left + I32(i);
       const Mask hit = in_row & (column <= t.right) & ((v0 | v1 | v2) >= I32(0));
       if (any(hit)) {
-        const F32 plane = z0 + (to_float(v1 - e1.bias) * dz1 + to_float(v2 - e2.bias) * dz2);
+        const F32 plane = start + (across + F32(static_cast<float>(i * kSubpixels))) * slope_x;
         const F32 nearness = min(max(plane, lowest), highest);
         const I32 tile = shift_right<kTileBits>(row) * I32(job.tiles_x) + shift_right<kTileBits>(column);
         const I32 place = shift_left<2 * kTileBits>(tile) | shift_left<kTileBits>(row & I32(kTileSize - 1)) |
@@ -113,7 +118,7 @@ BLYSK_INLINE void bin_dots(const AssembleJob& job, const Dots& dots, int count) 
   }
 }
 
-BLYSK_INLINE void bin_small(const AssembleJob& job, const Triangles& t, unsigned which) {
+BLYSK_INLINE void bin_small(const AssembleJob& job, const Triangles& t, unsigned which, unsigned away) {
   std::int32_t id[kLanes], v0[kLanes], v1[kLanes], v2[kLanes], left[kLanes], top[kLanes], right[kLanes],
       bottom[kLanes];
   store(t.id, id);
@@ -126,18 +131,29 @@ BLYSK_INLINE void bin_small(const AssembleJob& job, const Triangles& t, unsigned
   store(shift_right<kTileBits>(t.bottom), bottom);
   for (; which != 0; which &= which - 1) {
     const int k = __builtin_ctz(which);
+    const Stream facing = (away >> k & 1) != 0 ? Stream::small_away : Stream::small;
+    const Stream stream = job.transparent ? Stream::glass_small : facing;
     const SmallEntry entry{static_cast<std::uint32_t>(id[k]),
                            {static_cast<std::uint32_t>(v0[k]), static_cast<std::uint32_t>(v1[k]),
                             static_cast<std::uint32_t>(v2[k])}};
     for (int ty = top[k]; ty <= bottom[k]; ++ty) {
       for (int tx = left[k]; tx <= right[k]; ++tx) {
-        append(*job.owner,
-               job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx), Stream::small)], entry);
+        append(*job.owner, job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx), stream)],
+               entry);
       }
     }
   }
 }
 
+// Samples lie on a lattice of their own: one every 64 subpixels from 32 on.
+BLYSK_INLINE Mask meets_samples(I32 x_min, I32 x_max, I32 y_min, I32 y_max) {
+  const auto any_between = [](I32 low, I32 high) {
+    return shift_right<6>(low + I32(31)) <= shift_right<6>(high - I32(32));
+  };
+  return any_between(x_min, x_max) & any_between(y_min, y_max);
+}
+
+template <Sampling kSampling>
 BLYSK_INLINE void assemble_block(AssembleJob& job, const I32 index[3], I32 id, Mask valid) {
   Triangles t;
   t.id = id;
@@ -154,16 +170,20 @@ BLYSK_INLINE void assemble_block(AssembleJob& job, const I32 index[3], I32 id, M
 
   // Pixel centres in the box, then in the picture too. What is tiny must not depend on where the picture
   // ends.
-  t.left = shift_right<kSubpixelBits>(x_min + I32(kSubpixels / 2 - 1));
-  t.top = shift_right<kSubpixelBits>(y_min + I32(kSubpixels / 2 - 1));
-  t.right = shift_right<kSubpixelBits>(x_max - I32(kSubpixels / 2));
-  t.bottom = shift_right<kSubpixelBits>(y_max - I32(kSubpixels / 2));
+  constexpr int kReach = reach_of(kSampling);
+  const auto first = [](I32 v) { return shift_right<kSubpixelBits>(v + I32(kSubpixels / 2 - 1 - kReach)); };
+  const auto last = [](I32 v) { return shift_right<kSubpixelBits>(v - I32(kSubpixels / 2 - kReach)); };
+  t.left = first(x_min);
+  t.top = first(y_min);
+  t.right = last(x_max);
+  t.bottom = last(y_max);
   const Mask few = (t.right - t.left < I32(kDotSide)) & (t.bottom - t.top < I32(kDotSide));
   t.left = max(t.left, I32(0));
   t.top = max(t.top, I32(0));
   t.right = min(t.right, I32(job.width - 1));
   t.bottom = min(t.bottom, I32(job.height - 1));
-  const Mask reaches = (t.left <= t.right) & (t.top <= t.bottom);
+  Mask reaches = (t.left <= t.right) & (t.top <= t.bottom);
+  if constexpr (kSampling == Sampling::samples) reaches = reaches & meets_samples(x_min, x_max, y_min, y_max);
   const Mask large = (x_max - x_min >= I32(kSmallExtent)) | (y_max - y_min >= I32(kSmallExtent));
 
   const Mask rest = valid & (unplaced | (large & reaches));
@@ -191,38 +211,51 @@ BLYSK_INLINE void assemble_block(AssembleJob& job, const I32 index[3], I32 id, M
   swap_where(negative, t.vertex[1], t.vertex[2]);
   swap_where(negative, t.nearness[1], t.nearness[2]);
 
-  const Mask tiny = live & few;
-  const unsigned tiny_bits = to_bits(tiny);
-  if (tiny_bits != 0) {
-    Dots dots;
-    Mask hit = and_not(tiny, tiny);
-    bin_dots(job, dots, find_dots(job, t, tiny, dots, hit));
-    job.drawn += static_cast<std::uint64_t>(__builtin_popcount(to_bits(hit)));
+  unsigned small_bits = to_bits(live);
+  if constexpr (kSampling == Sampling::centers) {
+    const Mask tiny = live & few;
+    const unsigned tiny_bits = to_bits(tiny);
+    if (tiny_bits != 0) {
+      Dots dots;
+      Mask hit = and_not(tiny, tiny);
+      bin_dots(job, dots, find_dots(job, t, tiny, dots, hit));
+      job.drawn += static_cast<std::uint64_t>(__builtin_popcount(to_bits(hit)));
+    }
+    small_bits &= ~tiny_bits;
   }
-  const unsigned small_bits = to_bits(live) & ~tiny_bits;
   if (small_bits != 0) {
-    bin_small(job, t, small_bits);
+    // From the front a triangle turns counter-clockwise: its area is negative.
+    bin_small(job, t, small_bits, kSampling == Sampling::samples ? ~to_bits(negative) : 0);
     job.drawn += static_cast<std::uint64_t>(__builtin_popcount(small_bits));
   }
 }
 
-}  // namespace
-
-void assemble_triangles(AssembleJob& job) {
+template <Sampling kSampling>
+void assemble_all(AssembleJob& job) {
   I32 index[3];
   const std::uint32_t* in = job.indices + 3 * job.first;
   const auto id = static_cast<std::int32_t>(job.id_base + job.first);
   std::size_t i = 0;
   for (; i + kLanes <= job.count; i += kLanes) {
     load_interleaved(in + 3 * i, index[0], index[1], index[2]);
-    assemble_block(job, index, iota(id + static_cast<std::int32_t>(i)), lanes_below(kLanes));
+    assemble_block<kSampling>(job, index, iota(id + static_cast<std::int32_t>(i)), lanes_below(kLanes));
   }
   if (i < job.count) {
     std::uint32_t rest[3 * kLanes] = {};
     std::memcpy(rest, in + 3 * i, (job.count - i) * 3 * sizeof(std::uint32_t));
     load_interleaved(rest, index[0], index[1], index[2]);
-    assemble_block(job, index, iota(id + static_cast<std::int32_t>(i)),
-                   lanes_below(static_cast<int>(job.count - i)));
+    assemble_block<kSampling>(job, index, iota(id + static_cast<std::int32_t>(i)),
+                              lanes_below(static_cast<int>(job.count - i)));
+  }
+}
+
+}  // namespace
+
+void assemble_triangles(AssembleJob& job) {
+  if (job.sampling == Sampling::samples) {
+    assemble_all<Sampling::samples>(job);
+  } else {
+    assemble_all<Sampling::centers>(job);
   }
 }
 

@@ -95,7 +95,7 @@ Corner place(const ClipVertex& v) {
   return {snap(v.x * q), snap(v.y * q), static_cast<float>(std::clamp(v.z * q, 0.0, 1.0))};
 }
 
-// Whether a tile, as pixel centres, lies wholly on the outer side of the edge a -> b.
+// Whether a tile, as the places that are looked at, lies wholly on the outer side of the edge a -> b.
 bool outside(const LargeEntry& e, int a, int b, std::int64_t x0, std::int64_t y0, std::int64_t x1,
              std::int64_t y1) {
   const std::int64_t dx = std::int64_t{e.x[b]} - e.x[a], dy = std::int64_t{e.y[b]} - e.y[a];
@@ -113,8 +113,9 @@ bool bin_large(AssembleJob& job, LargeEntry e) {
     std::swap(e.y[1], e.y[2]);
     std::swap(e.nearness[1], e.nearness[2]);
   }
-  const auto first = [](std::int32_t v) { return (v + kSubpixels / 2 - 1) >> kSubpixelBits; };
-  const auto last = [](std::int32_t v) { return (v - kSubpixels / 2) >> kSubpixelBits; };
+  const int reach = reach_of(job.sampling);
+  const auto first = [reach](std::int32_t v) { return first_pixel(v, reach); };
+  const auto last = [reach](std::int32_t v) { return last_pixel(v, reach); };
   const int left = std::max(first(std::min({e.x[0], e.x[1], e.x[2]})), 0);
   const int top = std::max(first(std::min({e.y[0], e.y[1], e.y[2]})), 0);
   const int right = std::min(last(std::max({e.x[0], e.x[1], e.x[2]})), job.width - 1);
@@ -125,14 +126,15 @@ bool bin_large(AssembleJob& job, LargeEntry e) {
   for (int ty = top >> kTileBits; ty <= bottom >> kTileBits; ++ty) {
     for (int tx = left >> kTileBits; tx <= right >> kTileBits; ++tx) {
       const auto center = [](int pixel) { return std::int64_t{pixel} * kSubpixels + kSubpixels / 2; };
-      const std::int64_t x0 = center(std::max(left, tx * kTileSize)),
-                         x1 = center(std::min(right, tx * kTileSize + kTileSize - 1));
-      const std::int64_t y0 = center(std::max(top, ty * kTileSize)),
-                         y1 = center(std::min(bottom, ty * kTileSize + kTileSize - 1));
+      const std::int64_t x0 = center(std::max(left, tx * kTileSize)) - reach,
+                         x1 = center(std::min(right, tx * kTileSize + kTileSize - 1)) + reach;
+      const std::int64_t y0 = center(std::max(top, ty * kTileSize)) - reach,
+                         y1 = center(std::min(bottom, ty * kTileSize + kTileSize - 1)) + reach;
       if (outside(e, 1, 2, x0, y0, x1, y1) || outside(e, 2, 0, x0, y0, x1, y1) ||
           outside(e, 0, 1, x0, y0, x1, y1))
         continue;
-      Bin& bin = job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx), Stream::large)];
+      Bin& bin = job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx),
+                                    job.transparent ? Stream::glass_large : Stream::large)];
       if (static_cast<std::size_t>(bin.end - bin.cursor) < sizeof e) job.owner->grow(bin);
       std::memcpy(bin.cursor, &e, sizeof e);
       bin.cursor += sizeof e;

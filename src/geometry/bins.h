@@ -39,8 +39,10 @@ struct LargeEntry {
   float nearness[3];
 };
 
-enum class Stream { dot, small, large };
-inline constexpr int kStreams = 3;
+/// Small triangles seen from behind have a list of their own where pixels are sampled: drawn after the others
+/// they are mostly hidden. So have transparent ones, which are drawn when all others are.
+enum class Stream { dot, small, small_away, large, glass_small, glass_large };
+inline constexpr int kStreams = 6;
 
 struct BinBlock {
   static constexpr std::size_t kBytes = 1024;

@@ -9,6 +9,20 @@ namespace blysk {
 inline constexpr int kSubpixelBits = 8;
 inline constexpr int kSubpixels = 1 << kSubpixelBits;  // positions snap to 1/256 pixel
 
+/// Where a pixel is looked at: its centre, or sixteen samples, of which the outermost lie kSampleReach from
+/// the centre each way.
+enum class Sampling { centers, samples };
+inline constexpr int kSampleReach = 96;  // subpixels
+constexpr int reach_of(Sampling sampling) { return sampling == Sampling::samples ? kSampleReach : 0; }
+
+/// The first and the last pixel with a place to look at not left of v and not right of it, subpixels.
+constexpr std::int32_t first_pixel(std::int32_t v, int reach) {
+  return (v + kSubpixels / 2 - 1 - reach) >> kSubpixelBits;
+}
+constexpr std::int32_t last_pixel(std::int32_t v, int reach) {
+  return (v - kSubpixels / 2 + reach) >> kSubpixelBits;
+}
+
 /// Largest |x|, |y| of a snapped vertex: differences stay below 2^23, so that an edge function inside a tile,
 /// counted in pixels, fits 32 bits (raster/tile_kernel.cpp).
 inline constexpr std::int32_t kGuardBand = 1 << 22;

@@ -318,7 +318,7 @@ TEST(lobe, small_shininess_takes_the_exact_power) {
 
 struct Shot {
   Scene scene;
-  RenderOptions options;
+  RenderOptions options = center_options();
   reference::Lighting lighting;
 };
 

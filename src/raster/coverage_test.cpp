@@ -22,6 +22,7 @@ Vec3f at_subpixel(Size size, double x, double y, float z = 0) {
 
 RenderOptions id_options(Size size, const Camera& camera) {
   RenderOptions o;
+  o.antialias = "none";
   o.width = size.width;
   o.height = size.height;
   o.camera = camera;
@@ -65,7 +66,7 @@ class Alone {
   }
 
  private:
-  RenderOptions options_;
+  RenderOptions options_ = center_options();
   Scene scene_;
   Frame frame_;
 };

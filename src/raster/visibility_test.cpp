@@ -11,6 +11,7 @@ constexpr int kWidth = 110, kHeight = 85;
 
 RenderOptions visibility_options() {
   RenderOptions o;
+  o.antialias = "none";
   o.width = kWidth;
   o.height = kHeight;
   o.camera = pixel_camera(kHeight);

@@ -100,6 +100,7 @@ const Scene& sphere() {
 
 Frame render(const Shot& shot) {
   RenderOptions o;
+  o.antialias = "none";
   o.width = kWidth;
   o.height = kHeight;
   o.camera = shot.lens.camera;

@@ -42,6 +42,7 @@ Scene shape_scene(const char* text) {
 
 RenderOptions sized(int width, int height) {
   RenderOptions o;
+  o.antialias = "none";
   o.width = width;
   o.height = height;
   o.want_depth = o.want_normal = o.want_id = true;
@@ -93,6 +94,15 @@ std::vector<std::string> shadings() {
     for (const std::string& variant : method_variants(m)) names.push_back(variant);
   }
   return names;
+}
+
+std::vector<std::pair<std::string, std::string>> shadings_and_antialias() {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const std::string& shading : shadings()) {
+    pairs.emplace_back(shading, "none");
+    pairs.emplace_back(shading, "abuffer");
+  }
+  return pairs;
 }
 
 std::vector<Case> cases() {
@@ -184,6 +194,12 @@ std::vector<Case> cases() {
   add("one pixel", shape_scene("sphere"), sized(1, 1));
   add("one column", shape_scene("sphere"), sized(1, 301));
   add("nothing", Scene{}, sized(70, 70));
+  for (std::size_t i = 0, count = all.size(); i < count; ++i) {
+    Case sampled = all[i];
+    sampled.name += ", antialiased";
+    sampled.options.antialias = "abuffer";
+    all.push_back(std::move(sampled));
+  }
   return all;
 }
 
@@ -251,10 +267,11 @@ TEST(determinism, order_of_triangles_does_not_show) {
   for (const char* text : {"sphere?detail=20", "teapot?detail=6", "trefoil?detail=500",
                            "triangles?count=2000&size=0.2", "terrain?detail=150"}) {
     const Scene scene = shape_scene(text), other = shuffled(scene, random);
-    for (const std::string& shading : shadings()) {
-      SCOPED_TRACE(std::string(text) + ", " + shading);
+    for (const auto& [shading, antialias] : shadings_and_antialias()) {
+      SCOPED_TRACE(std::string(text) + ", " + shading + ", " + antialias);
       RenderOptions o = sized(233, 170);
       o.shading = shading;
+      o.antialias = antialias;
       o.lights = {lamp_at(Light::Kind::point, {1, 2, 3}, {1, 1, 1})};
       const Frame a = render_frame(scene, o), b = render_frame(other, o);
       EXPECT_TRUE(same_bytes(a.image.pixels, b.image.pixels));
@@ -283,16 +300,17 @@ TEST(determinism, place_on_the_canvas_does_not_show) {
   for (const char* text :
        {"sphere?detail=12", "teapot?detail=12", "trefoil?detail=900", "triangles?count=2000&size=0.2"}) {
     const Scene scene = snapped_shape(text, 90);
-    for (const std::string& shading : shadings()) {
+    for (const auto& [shading, antialias] : shadings_and_antialias()) {
       RenderOptions o = sized(kSmall, kSmall);
       o.shading = shading;
+      o.antialias = antialias;
       o.lights = {lamp_at(Light::Kind::directional, {1, 2, 3}, {1, 1, 1})};
       o.camera = pixel_camera(kSmall);
       const Frame small = render_frame(scene, o);
       for (const Vec2<int> shift :
            {Vec2<int>{16, 0}, {0, 16}, {48, 80}, {64, 64}, {1, 0}, {7, 13}, {-9, -5}}) {
-        SCOPED_TRACE(std::string(text) + ", " + shading + ", moved by " + std::to_string(shift.x) + "," +
-                     std::to_string(shift.y));
+        SCOPED_TRACE(std::string(text) + ", " + shading + ", " + antialias + ", moved by " +
+                     std::to_string(shift.x) + "," + std::to_string(shift.y));
         constexpr int kLarge = 400, kFirst = (kLarge - kSmall) / 2;
         o.width = o.height = kLarge;
         o.camera = pixel_camera(kLarge);

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "lighting/set_lobe.h"
+#include "math/srgb.h"
 
 namespace blysk {
 namespace {
@@ -101,6 +102,13 @@ Surface make_surface(const Material& m, std::span<const Light> lights, const Ren
   return s;
 }
 
+// Where pixels are sampled; one sample shows everything as opaque.
+float opacity_of(const Material& m) {
+  if (m.alpha_mode == AlphaMode::opaque) return 1;
+  if (m.alpha_mode == AlphaMode::mask) return m.opacity >= m.alpha_cutoff ? 1 : 0;
+  return m.opacity > 0 ? std::min(m.opacity, 1.0f) : 0.0f;
+}
+
 DropArea drop_area(const Material& m, const Mat4& transform, Cull cull) {
   if (cull == Cull::none || (cull == Cull::material && m.double_sided)) return DropArea::none;
   // Seen from the front a triangle turns counter-clockwise, which is a negative area with row 0 at the top.
@@ -150,6 +158,14 @@ std::uint32_t pack_background(Vec4f c) {
   return code(c.x) | code(c.y) << 8 | code(c.z) << 16 | code(c.w) << 24;
 }
 
+Vec4f linear_background(Vec4f c, Transfer transfer) {
+  const float alpha = std::clamp(c.w, 0.0f, 1.0f);
+  const auto linear = [&](float v) {
+    return alpha * (transfer == Transfer::srgb ? srgb_to_linear(v) : std::clamp(v, 0.0f, 1.0f));
+  };
+  return {linear(c.x), linear(c.y), linear(c.z), alpha};
+}
+
 }  // namespace
 
 Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& plan) {
@@ -173,9 +189,15 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
   }
 
   plan.draws.clear();
+  plan.glass = false;
   plan.vertices = plan.triangles = 0;
   plan.shading = *choose_method(MethodKind::shading, options.shading);
   plan.background = pack_background(options.background);
+  plan.linear_background = linear_background(options.background, options.transfer);
+  plan.sampling = options.antialias == "none" ? Sampling::centers : Sampling::samples;
+  plan.want_nearness = options.want_depth || std::ranges::any_of(lights, [](const Light& l) {
+                         return l.kind == Light::Kind::point;
+                       });
   for (const Instance& instance : scene.instances) {
     if (scene.meshes[instance.mesh].indices.size() < 3) continue;
     DrawPlan p = plan_draw(scene, instance, plan.view);
@@ -192,6 +214,9 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
       return failure(ErrorCode::limit, "the scene has more triangles or vertices than the limits allow (" +
                                            std::to_string(options.limits.max_triangles) + " triangles)");
     }
+    if (plan.sampling == Sampling::samples) p.opacity = opacity_of(material);
+    plan.glass = plan.glass || (p.opacity > 0 && p.opacity < 1);
+    if (p.opacity == 0) p.triangles = 0;  // they keep their ids
     plan.draws.push_back(p);
   }
   return Done{};

@@ -16,6 +16,7 @@ struct DrawPlan {
   Draw draw;
   std::size_t vertices = 0, triangles = 0;
   DropArea drop = DropArea::none;
+  float opacity = 1;  ///< below 1 it is transparent; only where pixels are sampled
 };
 
 struct FramePlan {
@@ -23,6 +24,10 @@ struct FramePlan {
   std::vector<DrawPlan> draws;  ///< instances with triangles, in the scene's order
   std::size_t vertices = 0, triangles = 0;
   std::uint32_t background = 0;  ///< RGBA8
+  Vec4f linear_background;       ///< linear colour times alpha, alpha
+  Sampling sampling = Sampling::centers;
+  bool glass = false;          ///< any draw is transparent
+  bool want_nearness = false;  ///< of pixels: for point lights or a picture of depths
   MethodChoice shading;
 };
 

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "antialias/sample_tile.h"
 #include "blysk/render.h"
 #include "geometry/assemble.h"
 #include "geometry/support.h"
@@ -23,6 +24,8 @@ struct Kernels {
   TransformFunction transform;
   AssembleFunction assemble;
   RasterizeFunction rasterize;
+  RasterizeSamplesFunction rasterize_samples;
+  ResolveFunction resolve_samples;
   StoreTileFunction store_tile;
   ShadeFunction write_normals;
   const ShadingKernel* shadings;

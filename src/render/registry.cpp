@@ -165,8 +165,11 @@ constexpr Method kMethods[] = {
     {MethodKind::lobe, "cosine-squared", "(1 - n (1 - cos gamma) / 2.81)^2", "thesis 8.2", "power",
      "within 0.081 from n = 10 on, 0.070 for large n",
      "n above 2.81, else power; ends at an angle of its own"},
-    {MethodKind::antialias, "none", "z-buffer, one sample at the pixel centre", "A-buffer paper, A.1", "", "",
-     "everywhere"},
+    {MethodKind::antialias, "abuffer", "16 samples a pixel, exact edges and transparency",
+     "A-buffer paper, A.3 to A.5; own form: samples with their surfaces", "", "",
+     "everywhere; up to 64 transparent layers a pixel, beyond them the farthest merge"},
+    {MethodKind::antialias, "none", "z-buffer, one sample at the pixel centre", "A-buffer paper, A.1",
+     "abuffer", "", "transparent surfaces are shown as opaque ones"},
 };
 
 }  // namespace

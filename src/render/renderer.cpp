@@ -9,6 +9,7 @@
 #include "core/threads.h"
 #include "render/frame.h"
 #include "render/kernels.h"
+#include "render/sample_memory.h"
 
 namespace blysk {
 namespace {
@@ -39,6 +40,7 @@ struct Chunk {
 struct Worker {
   ThreadBins bins;
   std::unique_ptr<TileBuffers> tile = std::make_unique<TileBuffers>();
+  SampleMemory samples;
   std::vector<std::uint32_t> rest;
   std::vector<float> normals;
   std::vector<std::uint8_t> seen_draws;
@@ -99,6 +101,7 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
     w.bins.reset(tiles, room);
     w.rest.resize(kChunkTriangles + 16);
     w.culled = w.drawn = w.covered = 0;
+    if (plan.sampling == Sampling::samples) w.samples.prepare(plan.glass);
     w.blank = false;  // the background may have changed
   }
   cut(&DrawPlan::triangles, kChunkTriangles);
@@ -117,6 +120,8 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
     job.height = options.height;
     job.tiles_x = tiles_x;
     job.drop = p.drop;
+    job.sampling = plan.sampling;
+    job.transparent = p.opacity < 1;
     job.owner = &w.bins;
     job.bins = w.bins.bins();
     job.rest = w.rest.data();
@@ -136,16 +141,19 @@ void Renderer::State::shade_draws(Worker& worker, ShadeJob& job, ShadeFunction f
   }
   worker.seen_draws.assign(plan.draws.size(), 0);
   std::uint32_t last = kNoTriangle;
+  const auto see = [&](std::uint32_t id) {
+    if (id == last || id >= kManySurfaces) return;
+    last = id;
+    const auto after =
+        std::upper_bound(plan.draws.begin(), plan.draws.end(), id,
+                         [](std::uint32_t v, const DrawPlan& p) { return v < p.draw.id_base; });
+    worker.seen_draws[static_cast<std::size_t>(after - plan.draws.begin()) - 1] = 1;
+  };
   for (int row = 0; row < job.height; ++row) {
-    for (int column = 0; column < job.width; ++column) {
-      const std::uint32_t id = job.buffers->id[row * kTileSize + column];
-      if (id == last || id == kNoTriangle) continue;
-      last = id;
-      const auto after =
-          std::upper_bound(plan.draws.begin(), plan.draws.end(), id,
-                           [](std::uint32_t v, const DrawPlan& p) { return v < p.draw.id_base; });
-      worker.seen_draws[static_cast<std::size_t>(after - plan.draws.begin()) - 1] = 1;
-    }
+    for (int column = 0; column < job.width; ++column) see(job.buffers->id[row * kTileSize + column]);
+  }
+  for (int i = 0; job.samples != nullptr && i < job.samples->fragments; ++i) {
+    see(static_cast<std::uint32_t>(job.samples->fragment_id[i]));
   }
   for (std::size_t d = 0; d < plan.draws.size(); ++d) {
     if (worker.seen_draws[d] == 0) continue;
@@ -174,7 +182,11 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
     const Bin* of_tile = lists + bin_index(tile, Stream::dot);
     return std::all_of(of_tile, of_tile + kStreams, [](const Bin& bin) { return bin.first == nullptr; });
   });
-  const int covered = empty && worker.blank ? 0 : table.rasterize(job);
+  const bool sampled = plan.sampling == Sampling::samples;
+  int covered = 0;
+  if (!empty || !worker.blank) {
+    covered = sampled ? worker.samples.rasterize(table, plan, job) : table.rasterize(job);
+  }
   worker.blank = empty;
   worker.covered += static_cast<std::uint64_t>(covered);
 
@@ -183,6 +195,7 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
                    width,
                    height,
                    &buffers,
+                   sampled ? worker.samples.buffers() : nullptr,
                    nullptr,
                    vertices.data(),
                    nullptr,
@@ -191,6 +204,11 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
                    options.transfer,
                    plan.shading.values.data()};
   if (covered > 0) shade_draws(worker, shading, shade);
+  if (covered > 0 && sampled) {
+    if (shading.samples->pixels > 0) table.resolve_samples({&buffers, shading.samples, options.transfer});
+    shading.samples = nullptr;
+    if (options.want_depth || options.want_normal || options.want_id) worker.samples.show_nearest(buffers);
+  }
   if (options.want_normal) {
     worker.normals.assign(3 * kTilePixels, 0.0f);
     shading.normals = worker.normals.data();
@@ -230,8 +248,8 @@ std::uint64_t Renderer::State::memory() const {
   std::uint64_t n = vertices.capacity() * sizeof(ScreenVertex) + chunks.capacity() * sizeof(Chunk) +
                     plan.draws.capacity() * sizeof(DrawPlan);
   for (const Worker& w : workers) {
-    n += w.bins.memory() + sizeof(TileBuffers) + w.rest.capacity() * sizeof(std::uint32_t) +
-         w.normals.capacity() * sizeof(float);
+    n += w.bins.memory() + sizeof(TileBuffers) + w.samples.bytes() +
+         w.rest.capacity() * sizeof(std::uint32_t) + w.normals.capacity() * sizeof(float);
   }
   return n;
 }
@@ -269,10 +287,17 @@ Status Renderer::State::render(const Scene& scene, const RenderOptions& options,
   FrameStatistics& s = frame.statistics;
   s = {};
   s.triangles_in = plan.triangles;
-  for (const Worker& w : workers) {
+  for (Worker& w : workers) {
     s.triangles_culled += w.culled;
     s.triangles_drawn += w.drawn;
     s.pixels_covered += w.covered;
+    if (plan.sampling == Sampling::centers) continue;
+    const SampleCounts& c = w.samples.counts();
+    s.fragments_shaded += c.fragments;
+    s.pixels_shared += c.shared_pixels;
+    s.layers_generated += c.layers;
+    s.layers_merged += c.merged_layers;
+    s.pixels_merged += c.merged_pixels;
   }
   s.memory_bytes = memory();
   s.geometry_ms = ms_between(start, assembled);

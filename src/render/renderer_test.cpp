@@ -14,6 +14,7 @@ Scene shape_scene(const char* text) { return std::move(*make_shape(text)); }
 
 RenderOptions sized(int width, int height) {
   RenderOptions o;
+  o.antialias = "none";
   o.width = width;
   o.height = height;
   return o;

@@ -24,8 +24,17 @@ constexpr ShadingKernel kShadings[] = {
 
 extern const Kernels table;
 const Kernels table = {
-    BLYSK_ISA_ENUM,     support,        transform_vertices,
-    assemble_triangles, rasterize_tile, store_tile,
-    write_normals,      kShadings,      static_cast<int>(sizeof kShadings / sizeof kShadings[0])};
+    BLYSK_ISA_ENUM,
+    support,
+    transform_vertices,
+    assemble_triangles,
+    rasterize_tile,
+    rasterize_samples,
+    resolve_samples,
+    store_tile,
+    write_normals,
+    kShadings,
+    static_cast<int>(sizeof kShadings / sizeof kShadings[0]),
+};
 
 }  // namespace blysk::BLYSK_ISA

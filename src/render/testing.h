@@ -15,6 +15,13 @@
 
 namespace blysk {
 
+/// One sample a pixel, at its centre: what a method does is measured there.
+inline RenderOptions center_options() {
+  RenderOptions o;
+  o.antialias = "none";
+  return o;
+}
+
 /// Kept for the whole program: a renderer's memory and threads are its costly part.
 inline Renderer& shared_renderer(Isa isa, int threads = 1) {
   static std::map<std::pair<Isa, int>, std::unique_ptr<Renderer>> all;

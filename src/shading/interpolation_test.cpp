@@ -316,6 +316,7 @@ void compare_with(const char* method, Reference reference) {
   Scene scene = scene_of(mesh_of({{}, {}, {}}, {0, 1, 2}));
   scene.meshes[0].normals.resize(3);
   RenderOptions o;
+  o.antialias = "none";
   o.width = kWidth;
   o.height = kHeight;
   o.camera = pixel_camera(kHeight);
@@ -393,6 +394,7 @@ TEST(quadratic, in_segments_is_its_reference) {
 double nmse_of_spheres(const char* method, int detail) {
   const Scene scene = *make_shape("spheres?detail=" + std::to_string(detail));
   RenderOptions o;
+  o.antialias = "none";
   o.width = 1000;
   o.height = 400;
   o.camera = scene.cameras[0];

@@ -101,6 +101,7 @@ TEST(lighting_texture, is_its_reference) {
   Scene scene = scene_of(mesh_of({{}, {}, {}}, {0, 1, 2}), material);
   scene.meshes[0].normals.resize(3);
   RenderOptions o;
+  o.antialias = "none";
   o.width = o.height = kSide;
   o.camera = pixel_camera(kSide);
   o.ambient = 0;
@@ -203,6 +204,7 @@ TEST(lighting_texture, instruction_sets_and_company_do_not_show) {
         for (const bool inside : {false, true}) {
           SCOPED_TRACE(std::string(shape) + ", " + setting.name + ", lamps " + std::to_string(lamps));
           RenderOptions o;
+          o.antialias = "none";
           o.width = 291;
           o.height = 190;
           o.shading = setting.name;
@@ -235,6 +237,7 @@ TEST(lighting_texture, spheres_look_like_phong) {
   for (const int detail : {10, 25, 50, 100}) {
     const Scene scene = *make_shape("spheres?detail=" + std::to_string(detail));
     RenderOptions o;
+    o.antialias = "none";
     o.width = 1000;
     o.height = 400;
     o.camera = scene.cameras[0];
@@ -256,6 +259,7 @@ TEST(lighting_texture, hard_triangles) {
   const std::vector<Vec3f> normals = {{0, 0, 1}, {0, 0, -1}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
   mesh.normals.assign(normals.begin(), normals.end());
   RenderOptions o;
+  o.antialias = "none";
   o.width = o.height = 200;
   o.camera = pixel_camera(200);
   o.want_id = true;

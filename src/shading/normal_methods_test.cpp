@@ -89,6 +89,7 @@ TEST(normal_methods, kernels_follow_the_reference_forms) {
       material.shininess = 12;
       material.double_sided = true;
       RenderOptions o;
+      o.antialias = "none";
       o.width = o.height = kSide;
       o.camera = pixel_camera(kSide);
       o.ambient = 0;
@@ -132,6 +133,7 @@ TEST(normal_methods, kernels_follow_the_reference_forms) {
 
 RenderOptions sphere_options() {
   RenderOptions o;
+  o.antialias = "none";
   o.width = o.height = 400;
   Light light;
   light.vector = {1, 2, 2};
@@ -198,6 +200,7 @@ TEST(normal_methods, instruction_sets_and_company_do_not_show) {
         for (const Shading& shading : kShadings) {
           SCOPED_TRACE(std::string(shape) + ", " + shading.name);
           RenderOptions o;
+          o.antialias = "none";
           o.width = 231;
           o.height = 150;
           o.shading = shading.name;
@@ -228,6 +231,7 @@ TEST(normal_methods, hard_triangles) {
   const std::vector<Vec3f> normals = {{0, 0, 1}, {0, 0, -1}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
   mesh.normals.assign(normals.begin(), normals.end());
   RenderOptions o;
+  o.antialias = "none";
   o.width = o.height = kSide;
   o.camera = pixel_camera(kSide);
   o.transfer = Transfer::none;

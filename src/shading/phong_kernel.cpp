@@ -42,6 +42,7 @@ struct NormalSink {
     store_all(c.z, z);
     for (int i = 0; i < count; ++i) write(job, at[i], x[i], y[i], z[i]);
   }
+  static BLYSK_INLINE void blend(const ShadeJob&, const std::int32_t*, int, const Rgb<F32Wide>&, F32Wide) {}
   static BLYSK_INLINE void write(const ShadeJob& job, int at, float x, float y, float z) {
     job.normals[3 * at] = x;
     job.normals[3 * at + 1] = y;

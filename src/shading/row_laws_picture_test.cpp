@@ -91,6 +91,7 @@ struct Plain {
 TEST(row_laws, kernels_follow_the_reference_forms) {
   Random random(23);
   RenderOptions o;
+  o.antialias = "none";
   o.width = kWidth;
   o.height = kHeight;
   o.camera = pixel_camera(kHeight);
@@ -163,6 +164,7 @@ TEST(row_laws, spheres) {
   for (int i = 0; i < 3; ++i) {
     const Scene scene = *make_shape("spheres?detail=" + std::to_string(kDetails[i]));
     RenderOptions o;
+    o.antialias = "none";
     o.width = 1000;
     o.height = 400;
     o.camera = scene.cameras[0];
@@ -192,6 +194,7 @@ TEST(row_laws, near_lamps_and_viewers) {
   scene.materials.at(0).specular = {0.5f, 0.5f, 0.5f};
   scene.materials.at(0).shininess = 50;
   RenderOptions o;
+  o.antialias = "none";
   o.width = 400;
   o.height = 300;
   o.camera = Camera{};
@@ -238,6 +241,7 @@ TEST(row_laws, instruction_sets_and_company_do_not_show) {
       for (const double height : {0.0, 2.0}) {
         SCOPED_TRACE(std::string(shape) + ", " + method);
         RenderOptions o;
+        o.antialias = "none";
         o.width = 231;
         o.height = 150;
         o.shading = method;
@@ -274,6 +278,7 @@ TEST(row_laws, hard_triangles) {
   Scene scene = scene_of(mesh);
   scene.materials.at(0).color = {1, 1, 1};
   RenderOptions o;
+  o.antialias = "none";
   o.width = o.height = 200;
   o.camera = pixel_camera(200);
   o.transfer = Transfer::none;

@@ -152,6 +152,7 @@ TEST(row_methods, kernels_follow_the_reference_forms) {
       material.shininess = 12;
       material.double_sided = true;
       RenderOptions o;
+      o.antialias = "none";
       o.width = o.height = kSide;
       o.camera = pixel_camera(kSide);
       o.ambient = 0;
@@ -209,6 +210,7 @@ TEST(row_methods, spheres_look_like_phong) {
       m.specular = {0.4f, 0.4f, 0.4f};
       m.shininess = shininess;
       RenderOptions o;
+      o.antialias = "none";
       o.width = o.height = 400;
       Light light;
       light.vector = {1, 2, 2};
@@ -254,6 +256,7 @@ TEST(row_methods, instruction_sets_and_company_do_not_show) {
         for (const Shading& shading : kShadings) {
           SCOPED_TRACE(std::string(shape) + ", " + shading.name);
           RenderOptions o;
+          o.antialias = "none";
           o.width = 231;
           o.height = 150;
           o.shading = shading.name;
@@ -288,6 +291,7 @@ TEST(row_methods, hard_triangles) {
   const std::vector<Vec3f> normals = {{0, 0, 1}, {0, 0, -1}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
   mesh.normals.assign(normals.begin(), normals.end());
   RenderOptions o;
+  o.antialias = "none";
   o.width = o.height = 200;
   o.camera = pixel_camera(200);
   o.transfer = Transfer::none;

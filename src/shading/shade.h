@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "antialias/sample_tile.h"
 #include "blysk/image.h"
 #include "blysk/vector.h"
 #include "geometry/screen_vertex.h"
@@ -39,6 +40,7 @@ struct Draw {
 struct ShadeJob {
   int x, y, width, height;       ///< tile in the picture, pixels
   TileBuffers* buffers;          ///< in: id, nearness; out: color
+  SampleBuffers* samples;        ///< in: fragments, out: sum; null: there are none
   float* normals;                ///< out, of write_normals only: 3 * kTilePixels
   const ScreenVertex* vertices;  ///< of the frame
   const Draw* draw;

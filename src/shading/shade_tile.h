@@ -2,8 +2,9 @@
 //
 // Runs of one triangle in a row are shaded as spans: the triangle's values are plain floats, sixteen pixels
 // at a time. Where triangles change too often for that, pixels are gathered until sixteen of them, each with
-// its own triangle, fill the lanes. A method is written once for both; a pixel's value does not depend on
-// which way it went.
+// its own triangle, fill the lanes. Fragments of pixels that show several surfaces go the same way, each at
+// the centroid of its samples. A method is written once for all; a pixel's value does not depend on which way
+// it went.
 //
 // A method is a struct of static templates. F is float (one triangle) or F32 (sixteen), P the pixels' lanes,
 // Y float or F32:
@@ -14,27 +15,25 @@
 //   shade(job, triangle, span, x, y, nearness) -> Rgb<P>
 #pragma once
 
-#include "image/transfer.h"
 #include "raster/tile.h"
 #include "shading/corners.h"
+#include "shading/encode.h"
 #include "shading/shade.h"
 #include "simd/lanes.h"
 
 namespace blysk::BLYSK_ISA {
 
-/// 0..1 to 0..255 in the low byte by the transfer function (image/transfer.h is the model); the highest byte
-/// is not clean. Colours are not negative: neither lights nor materials are.
 template <int kRegisters>
-BLYSK_INLINE Ints<kRegisters> encode(Transfer transfer, Floats<kRegisters> v) {
+BLYSK_INLINE Ints<kRegisters> fragment_samples(Ints<kRegisters> place) {
+  return shift_right<kFragmentSamplesShift>(place) & Ints<kRegisters>(31);
+}
+
+/// From the pixel's centre to the centroid of a fragment's samples, whole subpixels.
+template <int kShift, int kRegisters>
+BLYSK_INLINE Floats<kRegisters> to_centroid(Ints<kRegisters> place) {
   using F = Floats<kRegisters>;
-  using I = Ints<kRegisters>;
-  // Adding 2^23 leaves the nearest integer in the low bits (and 0x4b above them, which pack() lets fall out).
-  if (transfer == Transfer::none) return bits_of(min(v, F(1.0f)) * F(255.0f) + F(8388608.0f));
-  const I bits = bits_of(min(max(v, F(kSrgbLowest)), F(kSrgbHighest)));
-  const I segment =
-      gather(kSrgbSegments, shift_right<20>(bits - I(static_cast<std::int32_t>(kSrgbLowestBits))));
-  const I base = shift_left<9>(shift_right<16>(segment) & I(0xffff));
-  return shift_right<16>(base + (segment & I(0xffff)) * (shift_right<12>(bits) & I(0xff)));
+  const F places = to_float(shift_right<kShift>(place) & Ints<kRegisters>(127));
+  return to_float(nearest(places * F(32.0f) / to_float(fragment_samples(place)) - F(kSampleReach)));
 }
 
 /// Takes colours to the tile's pixels.
@@ -42,9 +41,7 @@ struct ColorSink {
   static constexpr bool kWide = true;
   template <int kRegisters>
   static BLYSK_INLINE Ints<kRegisters> pack(const ShadeJob& job, const Rgb<Floats<kRegisters>>& c) {
-    using I = Ints<kRegisters>;
-    const I rg = encode(job.transfer, c.x) | shift_left<8>(encode(job.transfer, c.y));
-    return rg | shift_left<16>(encode(job.transfer, c.z)) | I(static_cast<std::int32_t>(0xff000000));
+    return pack_rgb(job.transfer, c) | Ints<kRegisters>(static_cast<std::int32_t>(0xff000000));
   }
   static BLYSK_INLINE void row(const ShadeJob& job, int at, Mask m, const Rgb<F32>& c) {
     store_masked(m, pack(job, c), job.buffers->color + at);
@@ -58,11 +55,23 @@ struct ColorSink {
     store_all(pack(job, c), pixel);
     for (int i = 0; i < count; ++i) job.buffers->color[at[i]] = pixel[i];
   }
+  /// Adds fragments to the sums of their pixels. A sample shows no more than white, as a pixel does.
+  static BLYSK_INLINE void blend(const ShadeJob& job, const std::int32_t* place, int count,
+                                 const Rgb<F32Wide>& c, F32Wide weight) {
+    const F32Wide one(1.0f);
+    float row[4 * kWideLanes];
+    store_rows(min(c.x, one) * weight, min(c.y, one) * weight, min(c.z, one) * weight, weight, row);
+    for (int i = 0; i < count; ++i) {
+      float* sum = job.samples->sum + 4 * (place[i] & (kTilePixels - 1));
+      for (int k = 0; k < 4; ++k) sum[k] += row[4 * i + k];
+    }
+  }
 };
 
-/// Pixels that wait until they fill the lanes.
+/// Pixels or fragments that wait until they fill the lanes. `at` is a pixel or a fragment's word.
 struct Strays {
-  std::int32_t triangle[kWideLanes + kLanes], at[kWideLanes + kLanes];
+  std::int32_t triangle[kWideLanes + kLanes], at[kWideLanes + kLanes], nearness[kWideLanes + kLanes],
+      weight[kWideLanes + kLanes];
   int count = 0;
 };
 
@@ -100,11 +109,26 @@ class DrawShader {
       for (int column = 0; column < job_.width;) column += shade_block(row, column, y);
     }
     flush_strays();
+    if (job_.samples != nullptr) shade_fragments();
   }
 
  private:
   using Triangle = typename Method::template Triangle<float>;
   static constexpr int kKept = 16;
+
+  BLYSK_INLINE void shade_fragments() {
+    of_fragments_ = true;
+    const SampleBuffers& s = *job_.samples;
+    for (int i = 0; i < s.fragments; i += kLanes) {
+      const I32 id = load(s.fragment_id + i);
+      const Mask mine = (id >= first_id_) & (id <= last_id_) & lanes_below(s.fragments - i);
+      if (s.weighted)
+        store_compressed(mine, bits_of(load(s.fragment_weight + i)), strays_.weight + strays_.count);
+      gather_strays(mine, id, load(s.fragment_place + i), load(s.fragment_nearness + i));
+    }
+    flush_strays();
+    of_fragments_ = false;
+  }
 
   // Shades the pixels from `column` on; returns how many columns are done.
   BLYSK_INLINE int shade_block(int row, int column, float y) {
@@ -116,7 +140,7 @@ class DrawShader {
     // The last pixels of runs, in this block of sixteen.
     const unsigned ends = mine & (to_bits(id != load(job_.buffers->id + at + 1)) | 1u << (kLanes - 1));
     if (__builtin_popcount(ends) * span_pixels<Method>() > __builtin_popcount(mine)) {
-      gather_strays(lanes_of(mine), id, at);
+      gather_strays(lanes_of(mine), id, iota(at), load(job_.buffers->nearness + at));
       return kLanes;
     }
     if constexpr (kWideLanes > kLanes && Sink::kWide) {
@@ -166,14 +190,17 @@ class DrawShader {
     }
   }
 
-  BLYSK_INLINE void gather_strays(Mask mine, I32 id, int at) {
+  BLYSK_INLINE void gather_strays(Mask mine, I32 id, I32 at, F32 nearness) {
     store_compressed(mine, id - first_id_, strays_.triangle + strays_.count);
-    strays_.count += store_compressed(mine, iota(at), strays_.at + strays_.count);
+    store_compressed(mine, bits_of(nearness), strays_.nearness + strays_.count);
+    strays_.count += store_compressed(mine, at, strays_.at + strays_.count);
     if (strays_.count < kWideLanes) return;
     shade_strays(kWideLanes);
     strays_.count -= kWideLanes;
     store(load(strays_.triangle + kWideLanes), strays_.triangle);
     store(load(strays_.at + kWideLanes), strays_.at);
+    store(load(strays_.nearness + kWideLanes), strays_.nearness);
+    store(load(strays_.weight + kWideLanes), strays_.weight);
   }
 
   BLYSK_INLINE void flush_strays() {
@@ -182,20 +209,33 @@ class DrawShader {
     for (int i = strays_.count; i < kWideLanes; ++i) {
       strays_.triangle[i] = strays_.triangle[strays_.count - 1];
       strays_.at[i] = strays_.at[strays_.count - 1];
+      strays_.nearness[i] = strays_.nearness[strays_.count - 1];
     }
     shade_strays(strays_.count);
+    strays_.count = 0;
   }
 
   // One copy of the gathered code: it is large.
   __attribute__((noinline)) void shade_strays(int count) {
     const auto at = load_wide(strays_.at);
     using I = decltype(at + at);
-    const F32Wide x = centers((at & I(kTileSize - 1)) + I(job_.x));
-    const F32Wide y = centers(shift_right<kTileBits>(at) + I(job_.y));
+    F32Wide x = centers((at & I(kTileSize - 1)) + I(job_.x));
+    F32Wide y = centers((shift_right<kTileBits>(at) & I(kTileSize - 1)) + I(job_.y));
+    if (of_fragments_) {
+      x = x + to_centroid<kFragmentColumnsShift>(at);
+      y = y + to_centroid<kFragmentRowsShift>(at);
+    }
     const auto triangle = Method::template set_up_triangle<F32Wide>(job_, load_wide(strays_.triangle));
     const auto span = Method::set_up_span(job_, triangle, y);
-    const F32Wide nearness = gather(job_.buffers->nearness, at);
-    Sink::scatter(job_, strays_.at, count, Method::shade(job_, triangle, span, x, y, nearness));
+    const F32Wide nearness = float_of_bits(load_wide(strays_.nearness));
+    const auto color = Method::shade(job_, triangle, span, x, y, nearness);
+    if (of_fragments_) {
+      const F32Wide weight =
+          job_.samples->weighted ? float_of_bits(load_wide(strays_.weight)) : to_float(fragment_samples(at));
+      Sink::blend(job_, strays_.at, count, color, weight);
+    } else {
+      Sink::scatter(job_, strays_.at, count, color);
+    }
   }
 
   const ShadeJob& job_;
@@ -204,6 +244,7 @@ class DrawShader {
   Triangle triangles_[kKept];
   std::int32_t known_[kKept];
   Strays strays_;
+  bool of_fragments_ = false;  // they are taken from job_.samples
 };
 
 template <class Method, class Sink>

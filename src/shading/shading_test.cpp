@@ -16,7 +16,7 @@ constexpr int kWidth = 96, kHeight = 72;
 // A few triangles around the origin, what lights them, and a camera that looks at them.
 struct Trial {
   Scene scene;
-  RenderOptions options;
+  RenderOptions options = center_options();
   LightingModel model = LightingModel::blinn;
   Projection projection{};
   reference::Viewpoint view;
@@ -369,6 +369,7 @@ TEST(shading, slivers_stay_between_their_corners) {
     mesh.colors.assign(3, Vec4f{});
     for (Vec4f& c : mesh.colors) c = {random.unit(), random.unit(), random.unit(), 1};
     RenderOptions o;
+    o.antialias = "none";
     o.width = kWidth;
     o.height = kHeight;
     o.camera = pixel_camera(kHeight);

@@ -16,12 +16,17 @@ struct AssembleJob;
 struct TileBuffers;
 struct TileJob;
 struct ShadeJob;
+struct SampleJob;
+struct GlassLayer;
+struct ResolveJob;
 
 namespace BLYSK_ISA {
 void transform_vertices(const TransformJob& job);
 void support(const Vec3f* points, std::size_t count, const Vec3f* axis, float* reach);
 void assemble_triangles(AssembleJob& job);
 int rasterize_tile(const TileJob& job);
+int rasterize_samples(const SampleJob& job);
+void resolve_samples(const ResolveJob& job);
 void store_tile(const TileBuffers& tile, int width, int rows, std::uint32_t* to, std::size_t stride);
 void shade_angular(const ShadeJob& job);
 void shade_barycentric(const ShadeJob& job);

@@ -316,6 +316,15 @@ BLYSK_INLINE void store_interleaved(I32 a, I32 b, I32 c, I32 d, std::int32_t* p)
                                         p + 4 * i * kPartLanes);
 }
 
+/// Four columns as rows of four floats.
+template <int kRegisters>
+BLYSK_INLINE void store_rows(Floats<kRegisters> a, Floats<kRegisters> b, Floats<kRegisters> c,
+                             Floats<kRegisters> d, float* p) {
+  for (int i = 0; i < kRegisters; ++i) {
+    hn::StoreInterleaved4(a.part[i], b.part[i], c.part[i], d.part[i], FloatTag(), p + 4 * i * kPartLanes);
+  }
+}
+
 /// first, first + 1, ...
 template <int kRegisters = kParts>
 BLYSK_INLINE Ints<kRegisters> iota(std::int32_t first) {

@@ -16,6 +16,7 @@ Result<PictureScene> make(std::string name, const std::string& shape) {
   if (!made.scene.cameras.empty()) made.options.camera = made.scene.cameras[0];
   made.options.interpolation = Interpolation::screen;
   made.options.transfer = Transfer::none;
+  made.options.antialias = "none";  // errors are those of the method at pixel centres
   made.options.background = {0.5f, 0.5f, 0.5f, 1};
   return made;
 }

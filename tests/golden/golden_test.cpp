@@ -113,6 +113,7 @@ std::vector<Golden> golden_pictures() {
   std::vector<Golden> all;
   const auto add = [&](const char* name, Scene scene, const Camera& camera) -> RenderOptions& {
     RenderOptions o;
+    o.antialias = "none";
     o.width = 217;
     o.height = 161;
     o.camera = camera;
@@ -175,6 +176,28 @@ std::vector<Golden> golden_pictures() {
     RenderOptions& o = add("highlight", scene, camera_at({0, 0, 3}, {0, 0, 0}, 45));
     o.lighting = "phong";
     o.background = {0.1f, 0.2f, 0.3f, 0.5f};
+  }
+  // With sixteen samples: edges, slivers, what is behind what, and glass of every kind.
+  for (std::size_t i = 0, count = all.size(); i < count; ++i) {
+    Golden g = all[i];
+    g.name += "-sampled";
+    g.options.antialias = "abuffer";
+    all.push_back(std::move(g));
+  }
+  for (const float alpha : {1.0f, 0.0f}) {
+    Scene scene = crowd("teapot?detail=5");
+    scene.append(fan(40));
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+      scene.materials[i].opacity = 0.25f + 0.15f * static_cast<float>(i);
+      scene.materials[i].alpha_mode = i == 1   ? AlphaMode::opaque
+                                      : i == 2 ? AlphaMode::mask
+                                               : AlphaMode::blend;
+    }
+    RenderOptions& o =
+        add(alpha > 0 ? "glass" : "glass-alone", scene, camera_at({0.5, 1.5, 6}, {0, 0, -0.5}, 45));
+    o.antialias = "abuffer";
+    o.background = {0.1f, 0.4f, 0.3f, alpha};
+    o.lights.push_back(lamp(Kind::point, {0, 1, 2}, {0.5f, 0.3f, 0.3f}));
   }
   return all;
 }
