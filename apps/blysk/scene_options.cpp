@@ -252,6 +252,7 @@ Result<RenderOptions> render_options(const Arguments& arguments, const Scene& sc
   options.shading = arguments.text("shading");
   options.lighting = arguments.text("lighting");
   options.lobe = arguments.text("lobe");
+  options.max_error = static_cast<float>(arguments.number("max-error"));
   options.antialias = arguments.text("antialias");
   options.interpolation = choice_of<Interpolation>(arguments, "interpolation");
   options.cull = choice_of<Cull>(arguments, "cull");

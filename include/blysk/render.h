@@ -49,14 +49,15 @@ enum class Cull {
 enum class Interpolation { perspective, screen };
 
 struct RenderOptions {
-  int width = 1280, height = 720;  ///< 1..16384 each
-  std::optional<Camera> camera;    ///< none: frame_camera() of the scene
-  std::vector<Light> lights;       ///< none: the scene's; none there either: a key light
-  float ambient = 0.15f;           ///< Ia
-  std::string shading = "phong";   ///< as choose_method() reads it
-  std::string lighting = "blinn";  ///< likewise
-  std::string lobe = "power";      ///< likewise
+  int width = 1280, height = 720;     ///< 1..16384 each
+  std::optional<Camera> camera;       ///< none: frame_camera() of the scene
+  std::vector<Light> lights;          ///< none: the scene's; none there either: a key light
+  float ambient = 0.15f;              ///< Ia
+  std::string shading = "phong";      ///< as choose_method() reads it
+  std::string lighting = "blinn";     ///< likewise
+  std::string lobe = "power";         ///< likewise
   std::string antialias = "abuffer";  ///< likewise
+  float max_error = 1.0f / 512;       ///< that "auto" shading may be off, as shown; 0..1
   Interpolation interpolation = Interpolation::perspective;
   Cull cull = Cull::material;
   Transfer transfer = Transfer::srgb;
@@ -68,14 +69,16 @@ struct RenderOptions {
 struct FrameStatistics {
   std::uint64_t triangles_in = 0;      ///< of all instances
   std::uint64_t triangles_culled = 0;  ///< facing away, when culling
-  std::uint64_t triangles_drawn = 0;   ///< that reach a pixel centre (antialiased: may reach a sample) of the picture, hidden or not
+  std::uint64_t triangles_drawn =
+      0;  ///< that reach a pixel centre (antialiased: may reach a sample) of the picture, hidden or not
   std::uint64_t pixels_covered = 0;    ///< wholly or in part
   std::uint64_t pixels_shared = 0;     ///< antialiased: that show more than one surface, or background too
   std::uint64_t fragments_shaded = 0;  ///< antialiased: of these pixels; each is one surface's samples
   std::uint64_t layers_generated = 0;  ///< of transparent triangles: in pixels, hidden or not
   std::uint64_t layers_merged = 0;     ///< that a pixel had no room for, so that two became one
   std::uint64_t pixels_merged = 0;     ///< with such layers
-  std::uint64_t memory_bytes = 0;  ///< held by the renderer beyond scene and image
+  std::uint64_t fragments_lost = 0;    ///< abuffer-discard, -merge, -pool: dropped, or merged with another
+  std::uint64_t memory_bytes = 0;      ///< held by the renderer beyond scene and image
   double geometry_ms = 0, tiles_ms = 0, frame_ms = 0;
 };
 

@@ -30,6 +30,9 @@ Status check(const RenderOptions& o) {
   if (o.width < 1 || o.height < 1 || o.width > kLargestSide || o.height > kLargestSide) {
     return failure(ErrorCode::usage, "the picture's sides must be 1 to 16384 pixels");
   }
+  if (!(o.max_error >= 0 && o.max_error <= 1)) {
+    return failure(ErrorCode::usage, "the largest error of shading must be 0 to 1");
+  }
   const std::pair<MethodKind, const std::string*> chosen[] = {{MethodKind::shading, &o.shading},
                                                               {MethodKind::lighting, &o.lighting},
                                                               {MethodKind::lobe, &o.lobe},
@@ -107,6 +110,25 @@ float opacity_of(const Material& m) {
   if (m.alpha_mode == AlphaMode::opaque) return 1;
   if (m.alpha_mode == AlphaMode::mask) return m.opacity >= m.alpha_cutoff ? 1 : 0;
   return m.opacity > 0 ? std::min(m.opacity, 1.0f) : 0.0f;
+}
+
+ListPlan list_plan(const MethodChoice& choice) {
+  using antialias::Overflow;
+  using Kind = ListPlan::Kind;
+  const auto number = [&](std::size_t setting) { return static_cast<std::size_t>(choice.values[setting]); };
+  const auto from = [](Overflow first, int step) {
+    return static_cast<Overflow>(static_cast<int>(first) + step);
+  };
+  const std::string_view name = choice.method->name;
+  if (name == "abuffer-unlimited") return {Kind::lists, Overflow::unlimited, 0, 0, 0, 0};
+  if (name == "abuffer-carpenter") return {Kind::carpenter, Overflow::unlimited, 0, 0, 0, 0};
+  if (name == "abuffer-discard")
+    return {Kind::lists, from(Overflow::d1, choice.values[1]), number(0), 0, 0, 0};
+  if (name == "abuffer-merge") return {Kind::lists, from(Overflow::m0, choice.values[1]), number(0), 0, 0, 0};
+  if (name == "abuffer-pool") {
+    return {Kind::pool, from(Overflow::m0, choice.values[3]), 0, number(0), number(1), number(2)};
+  }
+  return {};
 }
 
 DropArea drop_area(const Material& m, const Mat4& transform, Cull cull) {
@@ -194,7 +216,9 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
   plan.shading = *choose_method(MethodKind::shading, options.shading);
   plan.background = pack_background(options.background);
   plan.linear_background = linear_background(options.background, options.transfer);
-  plan.sampling = options.antialias == "none" ? Sampling::centers : Sampling::samples;
+  const MethodChoice antialias = *choose_method(MethodKind::antialias, options.antialias);
+  plan.sampling = antialias.method->name == "none" ? Sampling::centers : Sampling::samples;
+  plan.lists = list_plan(antialias);
   plan.want_nearness = options.want_depth || std::ranges::any_of(lights, [](const Light& l) {
                          return l.kind == Light::Kind::point;
                        });

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "antialias/overflow.h"
 #include "blysk/methods.h"
 #include "blysk/render.h"
 #include "geometry/assemble.h"
@@ -19,6 +20,15 @@ struct DrawPlan {
   float opacity = 1;  ///< below 1 it is transparent; only where pixels are sampled
 };
 
+/// A variant of the A-buffer that keeps lists of fragments.
+struct ListPlan {
+  enum class Kind { none, lists, pool, carpenter };
+  Kind kind = Kind::none;
+  antialias::Overflow overflow = antialias::Overflow::unlimited;
+  std::size_t most = 0;                       ///< of lists, fragments a pixel
+  std::size_t main = 0, extra = 0, pool = 0;  ///< of a pool, which is a tile's
+};
+
 struct FramePlan {
   ViewFrame view;
   std::vector<DrawPlan> draws;  ///< instances with triangles, in the scene's order
@@ -26,6 +36,7 @@ struct FramePlan {
   std::uint32_t background = 0;  ///< RGBA8
   Vec4f linear_background;       ///< linear colour times alpha, alpha
   Sampling sampling = Sampling::centers;
+  ListPlan lists;
   bool glass = false;          ///< any draw is transparent
   bool want_nearness = false;  ///< of pixels: for point lights or a picture of depths
   MethodChoice shading;

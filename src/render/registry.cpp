@@ -62,6 +62,27 @@ constexpr MethodSetting kSymmetricSettings[] = {
 
 constexpr MethodSetting kAngularSettings[] = {kRowPixels};
 
+constexpr std::string_view kDiscards[] = {"d1", "d2", "d3", "d4", "d5"};
+constexpr std::string_view kMerges[] = {"m0", "m1", "m2", "m3", "m4", "m5"};
+constexpr MethodSetting kFragments = {"n", "fragments that a pixel holds", {}, 3, 1, 16};
+constexpr MethodSetting kMergePolicy = {
+    "policy",
+    "which two become one: the farthest by the formulas as printed, as corrected, with a fitted plane; "
+    "neighbours in depth, with a fitted plane; the pair that loses least depth",
+    kMerges, 5};
+constexpr MethodSetting kDiscardSettings[] = {
+    kFragments,
+    {"policy",
+     "what goes: the farthest, the smallest; the same with the pixel shown as before the last drop; the "
+     "farthest, and the rest fills the pixel",
+     kDiscards, 3}};
+constexpr MethodSetting kMergeSettings[] = {kFragments, kMergePolicy};
+constexpr MethodSetting kPoolSettings[] = {
+    {"main", "fragments that a pixel has room for", {}, 1, 1, 8},
+    {"extra", "addresses of more in the pool", {}, 2, 0, 15},
+    {"pool", "slots that a tile of 64x64 pixels shares", {}, 4096, 0, 65536},
+    kMergePolicy};
+
 constexpr Method kMethods[] = {
     {MethodKind::shading, "phong", "Normals interpolated, lit at every pixel", "Phong 1975; thesis 3.3", "",
      "", "everywhere; opposite normals face the viewer"},
@@ -137,6 +158,11 @@ constexpr Method kMethods[] = {
      "point "
      "and those that do not hold the highlight are lit pixel by pixel",
      kLightingTextureSettings},
+    {MethodKind::shading, "auto",
+     "For each triangle, colours interpolated where that is provably near Phong shading, else Phong shading",
+     "docs/auto.md", "phong", "",
+     "within --max-error of phong; Phong shading alone for point lights, colours of vertices, the lighting "
+     "model phong and the lobes schlick, quadratic and logarithmic"},
     {MethodKind::lighting, "blinn", "Specular term by N.H", "Blinn 1977; thesis 2.1", "", "",
      "L + V not zero"},
     {MethodKind::lighting, "phong", "Specular term by R.V", "Phong 1975; thesis (2.1)", "", "", "everywhere"},
@@ -170,6 +196,21 @@ constexpr Method kMethods[] = {
      "everywhere; up to 64 transparent layers a pixel, beyond them the farthest merge"},
     {MethodKind::antialias, "none", "z-buffer, one sample at the pixel centre", "A-buffer paper, A.1",
      "abuffer", "", "transparent surfaces are shown as opaque ones"},
+    {MethodKind::antialias, "abuffer-unlimited", "Lists of fragments without a limit",
+     "A-buffer paper, A.3 to A.5", "abuffer", "",
+     "everywhere; memory grows with transparent layers; slow, for study"},
+    {MethodKind::antialias, "abuffer-discard", "N fragments a pixel, one dropped where there are more",
+     "A-buffer paper, A.6", "abuffer-unlimited", "", "shows the order of triangles; slow, for study",
+     kDiscardSettings},
+    {MethodKind::antialias, "abuffer-merge", "N fragments a pixel, two merged where there are more",
+     "A-buffer paper, A.7", "abuffer-unlimited", "lower NMSE than discarding; 3 fragments suffice",
+     "shows the order of triangles; slow, for study", kMergeSettings},
+    {MethodKind::antialias, "abuffer-pool", "Few fragments a pixel, and a pool that a tile's pixels share",
+     "A-buffer paper, A.8", "abuffer-unlimited", "1.3 to 3.1 times less memory",
+     "shows the order of triangles; slow, for study", kPoolSettings},
+    {MethodKind::antialias, "abuffer-carpenter",
+     "The classic A-buffer: of each fragment only its extent of depth", "A-buffer paper, A.2; Carpenter 1984",
+     "abuffer-unlimited", "", "wrong where surfaces meet or cross; slow, for study"},
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "core/threads.h"
 #include "render/frame.h"
 #include "render/kernels.h"
+#include "render/list_tile.h"
 #include "render/sample_memory.h"
 
 namespace blysk {
@@ -41,6 +42,7 @@ struct Worker {
   ThreadBins bins;
   std::unique_ptr<TileBuffers> tile = std::make_unique<TileBuffers>();
   SampleMemory samples;
+  ListTile lists;
   std::vector<std::uint32_t> rest;
   std::vector<float> normals;
   std::vector<std::uint8_t> seen_draws;
@@ -102,6 +104,7 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
     w.rest.resize(kChunkTriangles + 16);
     w.culled = w.drawn = w.covered = 0;
     if (plan.sampling == Sampling::samples) w.samples.prepare(plan.glass);
+    if (plan.lists.kind != ListPlan::Kind::none) w.lists.prepare(plan, room);
     w.blank = false;  // the background may have changed
   }
   cut(&DrawPlan::triangles, kChunkTriangles);
@@ -182,13 +185,10 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
     const Bin* of_tile = lists + bin_index(tile, Stream::dot);
     return std::all_of(of_tile, of_tile + kStreams, [](const Bin& bin) { return bin.first == nullptr; });
   });
-  const bool sampled = plan.sampling == Sampling::samples;
+  const bool sampled = plan.sampling == Sampling::samples, listed = plan.lists.kind != ListPlan::Kind::none;
+  const bool work = !empty || !worker.blank;
   int covered = 0;
-  if (!empty || !worker.blank) {
-    covered = sampled ? worker.samples.rasterize(table, plan, job) : table.rasterize(job);
-  }
-  worker.blank = empty;
-  worker.covered += static_cast<std::uint64_t>(covered);
+  if (work && !listed) covered = sampled ? worker.samples.rasterize(table, plan, job) : table.rasterize(job);
 
   ShadeJob shading{x,
                    y,
@@ -202,12 +202,19 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
                    &plan.view.rays,
                    options.interpolation == Interpolation::screen,
                    options.transfer,
-                   plan.shading.values.data()};
-  if (covered > 0) shade_draws(worker, shading, shade);
+                   plan.shading.values.data(),
+                   options.max_error};
+  if (work && listed) {
+    covered = worker.lists.draw(plan, job, *shading.samples, [&] { shade_draws(worker, shading, shade); });
+  }
+  worker.blank = empty;
+  worker.covered += static_cast<std::uint64_t>(covered);
+  if (covered > 0 && !listed) shade_draws(worker, shading, shade);
   if (covered > 0 && sampled) {
     if (shading.samples->pixels > 0) table.resolve_samples({&buffers, shading.samples, options.transfer});
     shading.samples = nullptr;
-    if (options.want_depth || options.want_normal || options.want_id) worker.samples.show_nearest(buffers);
+    const bool one_surface = options.want_depth || options.want_normal || options.want_id;
+    if (one_surface && !listed) worker.samples.show_nearest(buffers);
   }
   if (options.want_normal) {
     worker.normals.assign(3 * kTilePixels, 0.0f);
@@ -248,7 +255,7 @@ std::uint64_t Renderer::State::memory() const {
   std::uint64_t n = vertices.capacity() * sizeof(ScreenVertex) + chunks.capacity() * sizeof(Chunk) +
                     plan.draws.capacity() * sizeof(DrawPlan);
   for (const Worker& w : workers) {
-    n += w.bins.memory() + sizeof(TileBuffers) + w.samples.bytes() +
+    n += w.bins.memory() + sizeof(TileBuffers) + w.samples.bytes() + w.lists.bytes() +
          w.rest.capacity() * sizeof(std::uint32_t) + w.normals.capacity() * sizeof(float);
   }
   return n;
@@ -298,6 +305,9 @@ Status Renderer::State::render(const Scene& scene, const RenderOptions& options,
     s.layers_generated += c.layers;
     s.layers_merged += c.merged_layers;
     s.pixels_merged += c.merged_pixels;
+    if (plan.lists.kind == ListPlan::Kind::none) continue;
+    s.fragments_shaded += w.lists.statistics().generated;
+    s.fragments_lost += w.lists.statistics().overflowed;
   }
   s.memory_bytes = memory();
   s.geometry_ms = ms_between(start, assembled);

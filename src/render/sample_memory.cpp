@@ -1,42 +1,10 @@
 #include "render/sample_memory.h"
 
 #include <algorithm>
-#include <tuple>
 
-#include "geometry/bins.h"
+#include "render/tile_entries.h"
 
 namespace blysk {
-namespace {
-
-template <class Entry, class Visit>
-void for_each(const Bin& bin, Visit visit) {
-  for (const BinBlock* block = bin.first; block != nullptr; block = block->next) {
-    const std::byte* end = block == bin.last ? bin.cursor : block->entries + block->used;
-    for (const std::byte* at = block->entries; at != end; at += sizeof(Entry)) {
-      visit(*reinterpret_cast<const Entry*>(at));
-    }
-  }
-}
-
-LargeEntry large_entry(const SmallEntry& small, const ScreenVertex* vertices) {
-  LargeEntry e{small.id, {}, {}, {}};
-  for (int k = 0; k < 3; ++k) {
-    const ScreenVertex& v = vertices[small.vertex[k]];
-    e.x[k] = v.x;
-    e.y[k] = v.y;
-    e.nearness[k] = v.nearness;
-  }
-  return e;
-}
-
-// Pieces of one clipped triangle have one id.
-auto order_of(const GlassEntry& e) {
-  const LargeEntry& t = e.triangle;
-  return std::make_tuple(t.id, t.x[0], t.y[0], t.x[1], t.y[1], t.x[2], t.y[2]);
-}
-
-}  // namespace
-
 void SampleMemory::prepare(bool glass) {
   counts_ = {};
   // Not cleared: most of it may never be touched.
@@ -60,25 +28,9 @@ void SampleMemory::take_fragments(std::size_t most) {
   buffers_->fragment_weight = reinterpret_cast<float*>(fragments_.get() + 3 * room);
 }
 
-// In ascending order of ids, whichever thread has which.
 void SampleMemory::gather_glass(const FramePlan& plan, const TileJob& job) {
-  entries_.clear();
-  for (int i = 0; i < job.bins_count; ++i) {
-    const Bin* bins = job.bins[i];
-    for_each<SmallEntry>(bins[bin_index(job.tile, Stream::glass_small)], [&](const SmallEntry& e) {
-      entries_.push_back({large_entry(e, job.vertices), 0});
-    });
-    for_each<LargeEntry>(bins[bin_index(job.tile, Stream::glass_large)], [&](const LargeEntry& e) {
-      entries_.push_back({e, 0});
-    });
-  }
-  std::sort(entries_.begin(), entries_.end(),
-            [](const GlassEntry& a, const GlassEntry& b) { return order_of(a) < order_of(b); });
-  std::size_t draw = 0;
-  for (GlassEntry& e : entries_) {
-    while (e.triangle.id - plan.draws[draw].draw.id_base >= plan.draws[draw].draw.id_count) ++draw;
-    e.opacity = plan.draws[draw].opacity;
-  }
+  constexpr Stream kGlass[] = {Stream::glass_small, Stream::glass_large};
+  gather_entries(plan, job, kGlass, entries_);
 }
 
 int SampleMemory::rasterize(const Kernels& table, const FramePlan& plan, const TileJob& job) {

@@ -19,6 +19,7 @@ constexpr ShadingKernel kShadings[] = {
     {"parallel", shade_parallel},
     {"dichotomy", shade_dichotomy},
     {"lighting-texture", shade_lighting_texture},
+    {"auto", shade_auto},
 };
 }
 

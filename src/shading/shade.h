@@ -48,6 +48,7 @@ struct ShadeJob {
   bool screen_linear;  ///< attributes are interpolated without perspective, as the papers do
   Transfer transfer;
   const int* settings;  ///< of the shading method: MethodChoice::values
+  float max_error;      ///< that a method which chooses for itself may make, of white as shown
 };
 
 /// Shades the pixels of the tile whose triangle belongs to job.draw.

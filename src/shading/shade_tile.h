@@ -105,17 +105,20 @@ class DrawShader {
 
   BLYSK_INLINE void shade() {
     for (int row = 0; row < job_.height; ++row) {
-      const float y = static_cast<float>((job_.y + row) * kSubpixels + kSubpixels / 2);
-      for (int column = 0; column < job_.width;) column += shade_block(row, column, y);
+      for (int column = 0; column < job_.width;) column += shade_block(row, column, own_pixels(row, column));
     }
-    flush_strays();
+    flush();
     if (job_.samples != nullptr) shade_fragments();
   }
 
- private:
-  using Triangle = typename Method::template Triangle<float>;
-  static constexpr int kKept = 16;
+  /// The draw's pixels among sixteen.
+  [[nodiscard]] BLYSK_INLINE unsigned own_pixels(int row, int column) const {
+    const I32 id = load(job_.buffers->id + row * kTileSize + column);
+    // kNoTriangle is -1 here and drops out of the range.
+    return to_bits((id >= first_id_) & (id <= last_id_) & lanes_below(job_.width - column));
+  }
 
+  /// What job.samples holds of the draw.
   BLYSK_INLINE void shade_fragments() {
     of_fragments_ = true;
     const SampleBuffers& s = *job_.samples;
@@ -126,17 +129,17 @@ class DrawShader {
         store_compressed(mine, bits_of(load(s.fragment_weight + i)), strays_.weight + strays_.count);
       gather_strays(mine, id, load(s.fragment_place + i), load(s.fragment_nearness + i));
     }
-    flush_strays();
+    flush();
     of_fragments_ = false;
   }
 
-  // Shades the pixels from `column` on; returns how many columns are done.
-  BLYSK_INLINE int shade_block(int row, int column, float y) {
+  /// Shades pixels of the draw in the sixteen from `column` on; of a triangle all that are there or none.
+  /// Returns how many columns are done. flush() shades what is left over.
+  BLYSK_INLINE int shade_block(int row, int column, unsigned mine) {
+    if (mine == 0) return kLanes;
     const int at = row * kTileSize + column;
     const I32 id = load(job_.buffers->id + at);
-    // kNoTriangle is -1 here and drops out of the range.
-    const unsigned mine = to_bits((id >= first_id_) & (id <= last_id_) & lanes_below(job_.width - column));
-    if (mine == 0) return kLanes;
+    const float y = static_cast<float>((job_.y + row) * kSubpixels + kSubpixels / 2);
     // The last pixels of runs, in this block of sixteen.
     const unsigned ends = mine & (to_bits(id != load(job_.buffers->id + at + 1)) | 1u << (kLanes - 1));
     if (__builtin_popcount(ends) * span_pixels<Method>() > __builtin_popcount(mine)) {
@@ -152,6 +155,22 @@ class DrawShader {
     shade_runs(at, column, y, mine, ends);
     return kLanes;
   }
+
+  BLYSK_INLINE void flush() {
+    if (strays_.count == 0) return;
+    // Lanes past the last pixel repeat it: their work is thrown away, but it must be sound.
+    for (int i = strays_.count; i < kWideLanes; ++i) {
+      strays_.triangle[i] = strays_.triangle[strays_.count - 1];
+      strays_.at[i] = strays_.at[strays_.count - 1];
+      strays_.nearness[i] = strays_.nearness[strays_.count - 1];
+    }
+    shade_strays(strays_.count);
+    strays_.count = 0;
+  }
+
+ private:
+  using Triangle = typename Method::template Triangle<float>;
+  static constexpr int kKept = 16;
 
   // Whether the block after a block of one triangle is all of the same.
   BLYSK_INLINE bool goes_on(int at, int column) const {
@@ -201,18 +220,6 @@ class DrawShader {
     store(load(strays_.at + kWideLanes), strays_.at);
     store(load(strays_.nearness + kWideLanes), strays_.nearness);
     store(load(strays_.weight + kWideLanes), strays_.weight);
-  }
-
-  BLYSK_INLINE void flush_strays() {
-    if (strays_.count == 0) return;
-    // Lanes past the last pixel repeat it: their work is thrown away, but it must be sound.
-    for (int i = strays_.count; i < kWideLanes; ++i) {
-      strays_.triangle[i] = strays_.triangle[strays_.count - 1];
-      strays_.at[i] = strays_.at[strays_.count - 1];
-      strays_.nearness[i] = strays_.nearness[strays_.count - 1];
-    }
-    shade_strays(strays_.count);
-    strays_.count = 0;
   }
 
   // One copy of the gathered code: it is large.

@@ -29,6 +29,7 @@ int rasterize_samples(const SampleJob& job);
 void resolve_samples(const ResolveJob& job);
 void store_tile(const TileBuffers& tile, int width, int rows, std::uint32_t* to, std::size_t stride);
 void shade_angular(const ShadeJob& job);
+void shade_auto(const ShadeJob& job);
 void shade_barycentric(const ShadeJob& job);
 void shade_fast_normalize(const ShadeJob& job);
 void shade_flat(const ShadeJob& job);

@@ -1,0 +1,230 @@
+// The bound of linear light against what Phong shading shows, in double precision. The kernels' header is
+// compiled here for the plain processor.
+#define BLYSK_ISA isa_test
+#include "shading/linear_light.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lighting/lobe_reference.h"
+#include "lighting/set_lobe.h"
+#include "render/testing.h"
+
+namespace blysk {
+namespace {
+
+using isa_test::F32;
+using isa_test::kLanes;
+
+constexpr std::size_t kCorners = 3 * kLanes;
+constexpr double kWidth = 1280, kHeight = 720;
+
+// Sixteen triangles in front of a camera, and what lights them.
+struct Batch {
+  std::array<ScreenVertex, kCorners> vertices{};
+  // Blocks of Array have room to be read past their end.
+  std::array<Vec3f, kCorners + 1> normals{};
+  std::array<std::uint32_t, kCorners + 1> indices{};
+  ViewRays rays{};
+  Draw draw{};
+  ShadeJob job{};
+
+  Batch() {
+    for (std::size_t i = 0; i < kCorners; ++i) indices[i] = static_cast<std::uint32_t>(i);
+    draw.normals = normals.data();
+    draw.indices = indices.data();
+    job.vertices = vertices.data();
+    job.draw = &draw;
+    job.rays = &rays;
+    job.max_error = 1;
+  }
+
+  [[nodiscard]] Vec3d viewer(double x, double y) const {
+    const auto along = [&](int i) {
+      return -double{rays.direction[i]} - y * double{rays.direction_y[i]} - x * double{rays.direction_x[i]};
+    };
+    return normalize(Vec3d{along(0), along(1), along(2)});
+  }
+
+  // What Phong shading shows of a triangle at screen weights.
+  [[nodiscard]] std::array<double, 3> shown(std::size_t triangle, const double weight[3], double x,
+                                            double y) const {
+    Vec3d n;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t corner = 3 * triangle + k;
+      n = n +
+          to_double(normals[corner]) * (weight[k] * (job.screen_linear ? 1.0 : double{vertices[corner].q}));
+    }
+    const Vec3d v = viewer(x, y);
+    n = normalize(n) * (dot(n, v) < 0 ? -1.0 : 1.0);
+    const Surface& s = draw.surface;
+    std::array<double, 3> c{};
+    for (std::size_t i = 0; i < 3; ++i) c[i] = double{s.ambient[i]} + double{s.emission[i]};
+    for (int l = 0; l < s.lamps; ++l) {
+      const Lamp& lamp = s.lamp[l];
+      const Vec3d to_lamp = {lamp.vector[0], lamp.vector[1], lamp.vector[2]};
+      const double cos_l = dot(n, to_lamp);
+      if (cos_l <= 0) continue;
+      const double lobe =
+          s.model == LightingModel::lambert
+              ? 0
+              : reference::specular_lobe(s.lobe, std::clamp(dot(n, normalize(to_lamp + v)), 0.0, 1.0),
+                                         double{s.shininess});
+      for (std::size_t i = 0; i < 3; ++i) {
+        c[i] += double{lamp.diffuse[i]} * cos_l + double{lamp.specular[i]} * lobe;
+      }
+    }
+    for (double& i : c) {
+      i = std::clamp(i, 0.0, 1.0);
+      if (job.transfer == Transfer::srgb) {
+        i = i <= 0.0031308 ? 12.92 * i : 1.055 * std::pow(i, 1 / 2.4) - 0.055;
+      }
+    }
+    return c;
+  }
+};
+
+void randomize_light(Random& random, Batch& b) {
+  const double wide = uniform(random, 0.1, 1.2) / kHeight / 256;  // of a subpixel
+  const bool parallel = whole(random, 0, 4) == 0;
+  b.rays = ViewRays{};
+  b.rays.direction[2] = -1;
+  b.rays.orthographic = parallel;
+  if (!parallel) {
+    b.rays.direction[0] = static_cast<float>(-wide * kWidth * 128);
+    b.rays.direction[1] = static_cast<float>(wide * kHeight * 128);
+    b.rays.direction_x[0] = static_cast<float>(wide);
+    b.rays.direction_y[1] = static_cast<float>(-wide);
+  }
+  b.job.screen_linear = whole(random, 0, 1) == 0;
+  b.job.transfer = whole(random, 0, 1) == 0 ? Transfer::srgb : Transfer::none;
+  Surface& s = b.draw.surface;
+  s = Surface{};
+  s.model = whole(random, 0, 7) == 0 ? LightingModel::lambert : LightingModel::blinn;
+  s.shininess = static_cast<float>(std::exp(uniform(random, std::log(2.0), std::log(500.0))));
+  if (whole(random, 0, 1) == 0) s.shininess = std::floor(s.shininess);
+  s.whole_shininess = s.shininess == std::floor(s.shininess) ? static_cast<int>(s.shininess) : 0;
+  constexpr Lobe kLobes[] = {Lobe::power, Lobe::power, Lobe::power, Lobe::w3,
+                             Lobe::w4,    Lobe::w8,    Lobe::w16,   Lobe::cosine_squared};
+  set_lobe(s, kLobes[whole(random, 0, 7)]);
+  s.lamps = static_cast<int>(whole(random, 1, 3));
+  for (int l = 0; l < s.lamps; ++l) {
+    Lamp& lamp = s.lamp[l];
+    Vec3d to = random_direction(random);
+    if (whole(random, 0, 2) != 0) to.z = std::abs(to.z);
+    const Vec3f direction = to_float(to);
+    lamp.vector[0] = direction.x;
+    lamp.vector[1] = direction.y;
+    lamp.vector[2] = direction.z;
+    for (int i = 0; i < 3; ++i) {
+      lamp.diffuse[i] = random.unit() / static_cast<float>(s.lamps);
+      lamp.specular[i] = random.unit() / static_cast<float>(s.lamps);
+    }
+  }
+  for (float& a : s.ambient) a = 0.15f * random.unit();
+}
+
+// Normals and half vectors in cones from flat to what the bound refuses; weights of perspective alike.
+void randomize_triangles(Random& random, Batch& b) {
+  for (std::size_t t = 0; t < kLanes; ++t) {
+    const double size = 256 * std::exp(uniform(random, std::log(2.0), std::log(200.0)));
+    const double spread = std::exp(uniform(random, std::log(1e-3), std::log(0.5)));
+    const double depth = std::exp(uniform(random, std::log(1e-4), std::log(0.2)));
+    const double cx = uniform(random, 0, 256 * kWidth), cy = uniform(random, 0, 256 * kHeight);
+    Vec3d axis = random_direction(random);
+    // Often near a highlight.
+    const float* lamp = b.draw.surface.lamp[0].vector;
+    if (whole(random, 0, 1) == 0) {
+      const Vec3d half = Vec3d{lamp[0], lamp[1], lamp[2]} + b.viewer(cx, cy);
+      const double n = double{b.draw.surface.shininess};
+      axis = normalize(half + random_direction(random) * uniform(random, 0, 4 / std::sqrt(n)));
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      ScreenVertex& v = b.vertices[3 * t + k];
+      v.x = static_cast<std::int32_t>(cx + uniform(random, -size, size));
+      v.y = static_cast<std::int32_t>(cy + uniform(random, -size, size));
+      v.q = static_cast<float>(1 + depth * uniform(random, -1, 1));
+      v.nearness = 0.5f;
+      const Vec3d n = normalize(axis + random_direction(random) * (spread * uniform(random, 0, 1)));
+      b.normals[3 * t + k] = to_float(n * (1 + 0.01 * depth * uniform(random, -1, 1)));
+    }
+  }
+}
+
+// Of all of the triangles, those that fit alone.
+struct Judged {
+  long triangles = 0, fitting = 0, tight = 0;
+  double most = 0;  // measured error over the bound's
+};
+
+void judge(Random& random, const Batch& b, Judged& found) {
+  const auto light = isa_test::fetch_linear_light<F32>(b.job, isa_test::iota(0));
+  const unsigned fits = to_bits(light.fits);
+  float bound[kLanes];
+  isa_test::store(light.error, bound);
+  double worst[kLanes] = {};
+  for (int point = 0; point < 8; ++point) {
+    double weight[3];
+    const double edge[3] = {0, 0.5, 0.5};
+    for (int k = 0; k < 3; ++k) {
+      weight[k] = point == 0 ? 1.0 / 3 : point < 4 ? edge[(k + point) % 3] : uniform(random, 0, 1);
+    }
+    const double sum = weight[0] + weight[1] + weight[2];
+    for (double& w : weight) w /= sum;
+    double x[kLanes], y[kLanes];
+    float xf[kLanes], yf[kLanes];
+    for (std::size_t t = 0; t < kLanes; ++t) {
+      const ScreenVertex* v = &b.vertices[3 * t];
+      x[t] = weight[0] * v[0].x + weight[1] * v[1].x + weight[2] * v[2].x;
+      y[t] = weight[0] * v[0].y + weight[1] * v[1].y + weight[2] * v[2].y;
+      xf[t] = static_cast<float>(x[t]);
+      yf[t] = static_cast<float>(y[t]);
+    }
+    const auto shown = isa_test::shown_at(light, isa_test::load(xf), isa_test::load(yf));
+    float channel[3][kLanes];
+    isa_test::store(shown.x, channel[0]);
+    isa_test::store(shown.y, channel[1]);
+    isa_test::store(shown.z, channel[2]);
+    for (std::size_t t = 0; t < kLanes; ++t) {
+      if ((fits >> t & 1) == 0) continue;
+      const std::array<double, 3> phong = b.shown(t, weight, x[t], y[t]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        worst[t] = std::max(worst[t], std::abs(double{channel[i][t]} / 255 - phong[i]));
+      }
+    }
+  }
+  for (std::size_t t = 0; t < kLanes; ++t) {
+    ++found.triangles;
+    if ((fits >> t & 1) == 0) continue;
+    ++found.fitting;
+    // Single precision: corner colours, slopes of needles, sRGB.
+    EXPECT_LE(worst[t], double{bound[t]} + 1e-4);
+    found.most = std::max(found.most, worst[t] / (double{bound[t]} + 1e-4));
+    if (worst[t] > double{bound[t]} / 8) ++found.tight;
+  }
+}
+
+TEST(linear_light, bound_holds_over_a_million_triangles) {
+  Random random(31);
+  Batch batch;
+  Judged found;
+  while (found.fitting < 1000000 && !HasFailure()) {
+    randomize_light(random, batch);
+    for (int i = 0; i < 8; ++i) {
+      randomize_triangles(random, batch);
+      judge(random, batch, found);
+    }
+  }
+  RecordProperty("triangles", std::to_string(found.triangles));
+  RecordProperty("most", std::to_string(found.most));
+  RecordProperty("tight", std::to_string(double(found.tight) / double(found.fitting)));
+  // Not absurdly pessimistic: it is reached nearly, and half of the triangles come within a factor of 8.
+  EXPECT_GT(found.most, 0.5);
+  EXPECT_GT(found.tight * 2, found.fitting);
+}
+
+}  // namespace
+}  // namespace blysk
