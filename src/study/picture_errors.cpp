@@ -14,7 +14,6 @@ Result<PictureScene> make(std::string name, const std::string& shape) {
   made.name = std::move(name);
   made.scene = std::move(*scene);
   if (!made.scene.cameras.empty()) made.options.camera = made.scene.cameras[0];
-  made.options.antialias = "none";  // one sample a pixel, as in the papers
   made.options.interpolation = Interpolation::screen;
   made.options.transfer = Transfer::none;
   made.options.antialias = "none";  // errors are those of the method at pixel centres
