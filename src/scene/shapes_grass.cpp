@@ -24,8 +24,7 @@ Scene make_grass(const Arguments& arguments) {
     const double x = random_between(random, 0, kScreen), y = random_between(random, 0, kScreen),
                  half_width = random_between(random, 0.3, 1.5), height = random_between(random, 10, 60),
                  lean = 12 * random_normal(random), z = 1 - 0.81 * y / kScreen;
-    scene.add({{{x - half_width, y, z}, {x + half_width, y, z}, {x + lean, y - height, z}}},
-              green(random));
+    scene.add({{{x - half_width, y, z}, {x + half_width, y, z}, {x + lean, y - height, z}}}, green(random));
   }
   return std::move(scene).finish("grass");
 }

@@ -18,7 +18,8 @@ constexpr int kSamples = 6;
 // Twice the area of kSamples pixels, in subpixels.
 constexpr float kDirectArea = 2.0f * kSamples * kSubpixels * kSubpixels;
 
-template <RowForm kForm, bool kSegments>
+// kUsual: (2.9) without segments, the form that is meant to be fast; the others share one copy.
+template <bool kUsual>
 struct Quadratic {
   static constexpr int kSpanPixels = 3;
 
@@ -78,7 +79,7 @@ struct Quadratic {
     Span<F> span;
     span.row = row_start(t.frame, y);
     if (all(t.direct)) return span;
-    if constexpr (kSegments || runs_along(kForm)) span.ends = row_ends(t.frame, y);
+    if constexpr (!kUsual) span.ends = row_ends(t.frame, y);
     const Surface& s = job.draw->surface;
     for (int lamp = 0; lamp < s.lamps; ++lamp) {
       span.cos_l[lamp] = along_row(t.cos_l[lamp], span.row.s);
@@ -94,11 +95,10 @@ struct Quadratic {
     return finish(job, t.lit, t.direct, ScreenPoint<P>{x, P(y), nearness}, y, [&](Intensity<P>& sum) {
       const FormedRow<F> row{t.frame, span.row, span.ends.first, span.ends.last};
       const auto at = [&](const RowParabola<F>& parabola, const SecondOrder<F>& q) {
-        if constexpr (kSegments) {
-          return row.segment_value(static_cast<RowForm>(job.settings[0]), job.settings[1], q, parabola, x);
-        } else {
-          return row.template value<kForm>(q, parabola, x);
-        }
+        if constexpr (kUsual) return row.template value<RowForm::horner>(q, parabola, x);
+        const auto form = static_cast<RowForm>(job.settings[0]);
+        return job.settings[1] == 0 ? row.value(form, q, parabola, x)
+                                    : row.segment_value(form, job.settings[1], q, parabola, x);
       };
       for (int lamp = 0; lamp < s.lamps; ++lamp) {
         const P cos_l = at(span.cos_l[lamp], t.cos_l[lamp]);
@@ -112,23 +112,9 @@ struct Quadratic {
 }  // namespace
 
 void shade_quadratic(const ShadeJob& job) {
-  if (job.settings[1] != 0) return shade_draw<Quadratic<RowForm::horner, true>, ColorSink>(job);
-  switch (static_cast<RowForm>(job.settings[0])) {
-    case RowForm::horner:
-      return shade_draw<Quadratic<RowForm::horner, false>, ColorSink>(job);
-    case RowForm::direct:
-      return shade_draw<Quadratic<RowForm::direct, false>, ColorSink>(job);
-    case RowForm::step:
-      return shade_draw<Quadratic<RowForm::step, false>, ColorSink>(job);
-    case RowForm::pair:
-      return shade_draw<Quadratic<RowForm::pair, false>, ColorSink>(job);
-    case RowForm::triple:
-      return shade_draw<Quadratic<RowForm::triple, false>, ColorSink>(job);
-    case RowForm::values:
-      return shade_draw<Quadratic<RowForm::values, false>, ColorSink>(job);
-    case RowForm::values_shift:
-      return shade_draw<Quadratic<RowForm::values_shift, false>, ColorSink>(job);
-  }
+  const bool usual = static_cast<RowForm>(job.settings[0]) == RowForm::horner && job.settings[1] == 0;
+  if (usual) return shade_draw<Quadratic<true>, ColorSink>(job);
+  shade_draw<Quadratic<false>, ColorSink>(job);
 }
 
 }  // namespace blysk::BLYSK_ISA
