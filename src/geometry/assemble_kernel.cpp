@@ -171,12 +171,11 @@ BLYSK_INLINE void assemble_block(AssembleJob& job, const I32 index[3], I32 id, M
   // Pixel centres in the box, then in the picture too. What is tiny must not depend on where the picture
   // ends.
   constexpr int kReach = reach_of(kSampling);
-  const auto first = [](I32 v) { return shift_right<kSubpixelBits>(v + I32(kSubpixels / 2 - 1 - kReach)); };
-  const auto last = [](I32 v) { return shift_right<kSubpixelBits>(v - I32(kSubpixels / 2 - kReach)); };
-  t.left = first(x_min);
-  t.top = first(y_min);
-  t.right = last(x_max);
-  t.bottom = last(y_max);
+  const I32 before(kSubpixels / 2 - 1 - kReach), after(kSubpixels / 2 - kReach);
+  t.left = shift_right<kSubpixelBits>(x_min + before);
+  t.top = shift_right<kSubpixelBits>(y_min + before);
+  t.right = shift_right<kSubpixelBits>(x_max - after);
+  t.bottom = shift_right<kSubpixelBits>(y_max - after);
   const Mask few = (t.right - t.left < I32(kDotSide)) & (t.bottom - t.top < I32(kDotSide));
   t.left = max(t.left, I32(0));
   t.top = max(t.top, I32(0));
