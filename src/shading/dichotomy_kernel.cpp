@@ -121,9 +121,9 @@ struct Dichotomy {
     if (!any(between)) return;
     const V3<P> b = unit_normal_at(job, t, s, at + step, y);
     const P c = dot(a, b);
-    n = pick_normal(between, scaled_sum(a, b, middle_scale(form_of(job), c)), a);
+    n = choose(between, scaled_sum(a, b, middle_scale(form_of(job), c)), a);
     const auto lost = between & (c < P(static_cast<float>(kLowestArc)));
-    if (any(lost)) n = pick_normal(lost, unit_normal_at(job, t, s, at, y), n);
+    if (any(lost)) n = choose(lost, unit_normal_at(job, t, s, at, y), n);
   }
 
   template <class F, class P, class Y>
@@ -172,7 +172,7 @@ struct Dichotomy {
     const float length = s.last - s.first;
     if ((truncate(length) & kSubpixels) != 0 && s.last >= x0 && s.last <= start + kReach) {
       const V3<float> end = unit_normal_at(job, t, s, s.last, y);
-      n = pick_normal(x == P(s.last), V3<P>{P(end.x), P(end.y), P(end.z)}, n);
+      n = choose(x == P(s.last), V3<P>{P(end.x), P(end.y), P(end.z)}, n);
     }
     return n;
   }

@@ -13,16 +13,6 @@ BLYSK_INLINE bool all_of(Masks<kRegisters> m) {
   return to_bits(m) == (2u << (kRegisters * kPartLanes - 1)) - 1;
 }
 
-template <class P>
-BLYSK_INLINE V3<P> pick_normal(bool m, const V3<P>& yes, const V3<P>& no) {
-  return m ? yes : no;
-}
-template <int kRegisters>
-BLYSK_INLINE V3<Floats<kRegisters>> pick_normal(Masks<kRegisters> m, const V3<Floats<kRegisters>>& yes,
-                                                const V3<Floats<kRegisters>>& no) {
-  return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
-}
-
 template <class F>
 struct MixedNormals {
   Corners<F> corners;

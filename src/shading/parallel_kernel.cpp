@@ -63,7 +63,7 @@ struct Row {
       const auto lanes = [](const V3<F>& v) { return V3<P>{P(v.x), P(v.y), P(v.z)}; };
       n = along_any(lanes(s.first_normal), lanes(s.last_normal), P(s.d), place);
     }
-    if (any(s.own)) n = pick_normal(s.own, unit_normal_at(job, t, s.row, x, y), n);
+    if (any(s.own)) n = choose(s.own, unit_normal_at(job, t, s.row, x, y), n);
     return n;
   }
 
@@ -175,9 +175,9 @@ struct Nines {
     const auto other = (steps < I(8)) | (d < P(0.0f));
     if (any(other)) {
       const P place = to_float(k + k) / max(to_float(steps), P(1.0f)) - P(1.0f);
-      n = pick_normal(other, along_any(a, b, d, place), n);
+      n = choose(other, along_any(a, b, d, place), n);
       const auto own = d < P(static_cast<float>(kLowestArc));
-      if (any(own)) n = pick_normal(own, unit_normal_at(job, t, s, x, y), n);
+      if (any(own)) n = choose(own, unit_normal_at(job, t, s, x, y), n);
     }
   }
 
