@@ -25,6 +25,18 @@ class SampleOcclusion {
     return true;
   }
 
+  /// Of sixteen small triangles, those that are hidden and will be drawn in patches: these keep to the range
+  /// of their vertices.
+  BLYSK_INLINE Mask hidden(const SmallBoxes& b) const {
+    const I32 left = shift_right<kBlockBits>(b.left), right = shift_right<kBlockBits>(b.right);
+    const I32 top = shift_right<kBlockBits>(b.top), bottom = shift_right<kBlockBits>(b.bottom);
+    const I32 above = top * I32(kBlocksAcross), below = bottom * I32(kBlocksAcross);
+    const F32 farthest = min(min(gather(farthest_, above + left), gather(farthest_, above + right)),
+                             min(gather(farthest_, below + left), gather(farthest_, below + right)));
+    const Mask few = (right - left < I32(2)) & (bottom - top < I32(2));
+    return b.patches & few & (b.highest < farthest);
+  }
+
   BLYSK_INLINE void drawn(std::uint64_t blocks, int cost, const SampleTile& tile) {
     stale_ |= blocks;
     waited_ += cost;

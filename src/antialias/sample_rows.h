@@ -30,7 +30,7 @@ BLYSK_INLINE float ceiling_of(const RowSurface& s, float slope_error) {
   return s.highest + (1.0f + slope_error * far) * kSlack;
 }
 
-BLYSK_INLINE RowSurface row_surface(const SmallBlock& b, int i, std::int32_t id) {
+BLYSK_INLINE RowSurface row_surface(const SmallBlock& b, int i) {
   RowSurface s;
   for (int k = 0; k < 3; ++k) {
     s.edge[k] = b.edge[k][i];
@@ -48,7 +48,7 @@ BLYSK_INLINE RowSurface row_surface(const SmallBlock& b, int i, std::int32_t id)
   s.top = b.top[i];
   s.right = b.right[i];
   s.bottom = b.bottom[i];
-  s.id = id;
+  s.id = b.id[i];
   s.ceiling = ceiling_of(s, b.slope_error[i]);
   return s;
 }

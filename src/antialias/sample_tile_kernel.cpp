@@ -96,25 +96,62 @@ BLYSK_INLINE void draw_rows(const RowSurface& s, SampleTile& tile, SampleOcclusi
   occlusion.drawn(s.box().blocks(), 8, tile);
 }
 
+/// Small triangles on their way through a tile.
 template <bool kCenters>
-void draw_small(const TileJob& job, const SmallEntry* entries, int count, SampleTile& tile,
-                SampleOcclusion& occlusion) {
-  SmallBlock block;
-  set_up_small(job, entries, block);
-  for (int i = 0; i < count; ++i) {
-    const auto id = static_cast<std::int32_t>(entries[i].id);
-    if ((block.patches >> i & 1) == 0) {
-      draw_rows(row_surface(block, i, id), tile, occlusion);
-      continue;
-    }
-    const Box box = block.box(i);
-    if (occlusion.hides(box, block.highest[i])) continue;
-    const std::uint64_t blocks = box.blocks();
-    tile.open_all(blocks);
-    draw_patches<kCenters>(block, i, I32(id), tile);
-    occlusion.drawn(blocks, 1, tile);
+class SmallPainter {
+ public:
+  BLYSK_INLINE SmallPainter(const TileJob& job, SampleTile& tile, SampleOcclusion& occlusion)
+      : job_(job), tile_(tile), occlusion_(occlusion), painter_(tile) {}
+
+  /// Triangles wait until sixteen others have come after them, so that their vertices are there when they are
+  /// asked for: these lie anywhere in memory.
+  BLYSK_INLINE void add(const SmallEntry& t) {
+    for (const std::uint32_t vertex : t.vertex) __builtin_prefetch(job_.vertices + vertex);
+    waiting_[waits_++] = t;
+    if (waits_ < 2 * kLanes) return;
+    meet(waiting_, kLanes);
+    waits_ = kLanes;
+    std::memcpy(waiting_, waiting_ + kLanes, sizeof waiting_ / 2);
   }
-}
+
+  BLYSK_INLINE void finish() {
+    for (int first = 0; first < waits_; first += kLanes) meet(waiting_ + first, min(waits_ - first, kLanes));
+    waits_ = 0;
+    if (queue_.count() > 0) draw(queue_.count());
+  }
+
+ private:
+  __attribute__((noinline)) void meet(const SmallEntry* entries, int count) {
+    const SmallTriangles t = fetch_small(job_, entries);
+    queue_.add(and_not(occlusion_.hidden(boxes_of(job_, t)), lanes_below(count)), t);
+    if (queue_.count() >= kLanes) draw(kLanes);
+  }
+
+  __attribute__((noinline)) void draw(int count) {
+    SmallBlock block;
+    set_up_small(job_, queue_.take(), block);
+    std::uint64_t blocks = 0;
+    for (int i = 0; i < count; ++i) {
+      if ((block.patches >> i & 1) != 0) {
+        blocks |= block.box(i).blocks();
+      } else {
+        draw_rows(row_surface(block, i), tile_, occlusion_);
+      }
+    }
+    if (blocks == 0) return;
+    tile_.open_all(blocks);
+    painter_.template draw<kCenters>(block, lanes_of(block.patches) & lanes_below(count));
+    occlusion_.drawn(blocks, count, tile_);
+  }
+
+  const TileJob& job_;
+  SampleTile& tile_;
+  SampleOcclusion& occlusion_;
+  PatchPainter painter_;
+  SmallQueue queue_;
+  SmallEntry waiting_[2 * kLanes] = {};
+  int waits_ = 0;
+};
 
 template <bool kCenters>
 int rasterize(const SampleJob& job) {
@@ -126,10 +163,6 @@ int rasterize(const SampleJob& job) {
     if (fresh) clear(of);
     fresh = false;
   };
-  // Triangles wait until sixteen others have come after them, so that their vertices are there when they are
-  // set up: these lie anywhere in memory.
-  SmallEntry waiting[2 * kLanes] = {};
-  int waits = 0;
   for (int i = 0; i < of.bins_count; ++i) {
     const Bin* bins = of.bins[i];
     for_each_entry<LargeEntry>(bins[bin_index(of.tile, Stream::large)], [&](const LargeEntry& t) {
@@ -148,23 +181,16 @@ int rasterize(const SampleJob& job) {
     });
   }
   // Larger triangles first, then those that face the viewer: they hide most of the others.
+  SmallPainter<kCenters> small(of, tile, occlusion);
   for (const Stream stream : {Stream::small, Stream::small_away}) {
     occlusion.refresh(tile);
     for (int i = 0; i < of.bins_count; ++i) {
       for_each_entry<SmallEntry>(of.bins[i][bin_index(of.tile, stream)], [&](const SmallEntry& t) {
         clear_once();
-        for (const std::uint32_t vertex : t.vertex) __builtin_prefetch(of.vertices + vertex);
-        waiting[waits++] = t;
-        if (waits < 2 * kLanes) return;
-        draw_small<kCenters>(of, waiting, kLanes, tile, occlusion);
-        waits = kLanes;
-        std::memcpy(waiting, waiting + kLanes, sizeof waiting / 2);
+        small.add(t);
       });
     }
-    for (int first = 0; first < waits; first += kLanes) {
-      draw_small<kCenters>(of, waiting + first, min(waits - first, kLanes), tile, occlusion);
-    }
-    waits = 0;
+    small.finish();
   }
   clear_once();
   job.samples->fragments = job.samples->pixels = 0;
