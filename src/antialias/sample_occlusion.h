@@ -61,12 +61,15 @@ class SampleOcclusion {
   static constexpr int kWait = 256;  // small triangles: a refresh costs as much as a few of them
 
   static BLYSK_INLINE F32 least_of_open(const SampleTile& tile, int at) {
-    F32 least(1e30f);
+    F32 even(1e30f), odd(1e30f);  // two chains at once
     for (int row = 0; row < kBlockSide; ++row, at += kTileSize) {
       const PixelSamples* pixels = &tile.samples_of(at);
-      for (int i = 0; i < kBlockSide; ++i) least = min(least, load(pixels[i].nearness));
+      for (int i = 0; i < kBlockSide; i += 2) {
+        even = min(even, load(pixels[i].nearness));
+        odd = min(odd, load(pixels[i + 1].nearness));
+      }
     }
-    return least;
+    return min(even, odd);
   }
 
   static BLYSK_INLINE F32 least_of(const SampleTile& tile, int at) {

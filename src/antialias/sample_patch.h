@@ -104,7 +104,8 @@ class PatchPainter {
   Samples samples_[kLanes];
   // Pixels, a row for each place in the boxes.
   alignas(64) float edge_[3][kRows * kLanes], center_[kRows * kLanes];
-  std::int32_t list_[kRows * kLanes + kLanes];  ///< pixel | triangle << 12 | row << 16: those that are reached
+  std::int32_t
+      list_[kRows * kLanes + kLanes];  ///< pixel | triangle << 12 | row << 16: those that are reached
   int count_ = 0, rows_ = 0;
 };
 

@@ -63,7 +63,6 @@ struct SampleBuffers {
 
   // Of pixels whose fragments are being listed.
   std::uint32_t queue[kMostFragments + kPadding];
-  std::uint8_t uncovered[kTilePixels];  ///< samples
 };
 
 struct GlassEntry;

@@ -32,62 +32,75 @@ int count_covered(const TileBuffers& tile) {
   return n;
 }
 
-// Writes the fragment of the first of `rest`, and lets it count if it `is` there; what is left of `rest`.
+// Fragments in the order in which they are found.
 template <bool kCenters>
-BLYSK_INLINE unsigned write_fragment(SampleBuffers& s, int at, unsigned rest, bool is, int& uncovered) {
-  const PixelSamples& pixel = s.open[at + (at >> kTileBits)];
-  const std::int32_t id = pixel.id[__builtin_ctz(rest | 1u << (kSamples - 1))];
-  const unsigned same = to_bits(load(pixel.id) == I32(id));
-  s.fragment_id[s.fragments] = id;
-  s.fragment_place[s.fragments] = fragment_word(at, same);
-  if constexpr (kCenters) s.fragment_nearness[s.fragments] = mean_nearness(load(pixel.nearness), same);
-  s.fragments += static_cast<int>(is & (id != kNoSurface));
-  uncovered += id == kNoSurface ? __builtin_popcount(same) : 0;
-  return rest & ~same;
-}
+class FragmentWriter {
+ public:
+  explicit BLYSK_INLINE FragmentWriter(const SampleBuffers& s)
+      : id_(s.fragment_id), place_(s.fragment_place), nearness_(s.fragment_nearness), count_(s.fragments) {}
+
+  /// Of some samples of a pixel: writes the fragment of the first of `rest`, which counts if there is any;
+  /// what is left of `rest`.
+  BLYSK_INLINE unsigned write(const PixelSamples& pixel, I32 ids, int at, unsigned rest, bool counts) {
+    const std::int32_t id = pixel.id[__builtin_ctz(rest | 1u << (kSamples - 1))];
+    const unsigned same = to_bits(ids == I32(id));
+    id_[count_] = id;
+    place_[count_] = fragment_word(at, same);
+    if constexpr (kCenters) nearness_[count_] = mean_nearness(load(pixel.nearness), same);
+    count_ += static_cast<int>(counts);
+    return rest & ~same;
+  }
+  BLYSK_INLINE int count() const { return count_; }
+
+ private:
+  std::int32_t *id_, *place_;
+  float* nearness_;
+  int count_;
+};
 
 // How many surfaces a pixel shows no branch can foresee. So all pixels write two, which count if they are
 // there, and what is left waits in a queue, from which each step takes one and to which it returns the rest.
 template <bool kCenters>
 void collect(const SampleJob& job) {
   SampleBuffers& s = *job.samples;
-  int queued = 0;
+  FragmentWriter<kCenters> fragments(s);
+  TileBuffers& tile = *job.tile.buffers;
+  const I32 many(static_cast<std::int32_t>(kManySurfaces)), nothing(kNoSurface);
+  int queued = 0, pixels = s.pixels;
   for (int row = 0; row < job.tile.height; ++row) {
     for (int column = 0; column < job.tile.width; column += kLanes) {
       const int block = row * kTileSize + column;
-      const I32 many(static_cast<std::int32_t>(kManySurfaces));
-      unsigned open = to_bits(load(job.tile.buffers->id + block) == many);
+      unsigned open = to_bits(load(tile.id + block) == many);
       if (job.glass != nullptr) open &= to_bits(load(job.glass->first + block) < I32(0));
       for (; open != 0; open &= open - 1) {
         const int at = block + __builtin_ctz(open);
-        const PixelSamples& pixel = s.open[at + (at >> kTileBits)];
-        const std::int32_t id = pixel.id[0];
-        const bool shared = to_bits(load(pixel.id) == I32(id)) != kAllSamples;
-        const std::uint32_t whole = id == kNoSurface ? kNoTriangle : static_cast<std::uint32_t>(id);
-        job.tile.buffers->id[at] = shared ? kManySurfaces : whole;
-        int uncovered = 0;
-        unsigned rest = write_fragment<kCenters>(s, at, kAllSamples, shared, uncovered);
-        rest = write_fragment<kCenters>(s, at, rest, shared, uncovered);
+        const PixelSamples& pixel = s.open[SampleBuffers::place_of(at)];
+        const I32 ids = load(pixel.id);
+        const unsigned uncovered = to_bits(ids == nothing);
+        const std::int32_t first = pixel.id[0];
+        const bool shared = to_bits(ids == I32(first)) != kAllSamples;
+        const std::uint32_t whole = first == kNoSurface ? kNoTriangle : static_cast<std::uint32_t>(first);
+        tile.id[at] = shared ? kManySurfaces : whole;
+        unsigned rest = fragments.write(pixel, ids, at, kAllSamples & ~uncovered, shared);
+        rest = fragments.write(pixel, ids, at, rest, rest != 0);
         s.queue[queued] = static_cast<std::uint32_t>(at) | rest << 2 * kTileBits;
         queued += static_cast<int>(rest != 0);
-        s.pixel[s.pixels] = at;
-        s.pixels += static_cast<int>(shared);
-        s.uncovered[at] = static_cast<std::uint8_t>(uncovered);
+        s.pixel[pixels] = at;
+        pixels += static_cast<int>(shared);
+        const auto clear = static_cast<float>(__builtin_popcount(uncovered));
+        for (int k = 0; k < 4; ++k) s.sum[4 * at + k] = job.background[k] * clear;
       }
     }
   }
   for (int i = 0; i < queued; ++i) {
     const int at = static_cast<int>(s.queue[i] & (kTilePixels - 1));
-    int uncovered = s.uncovered[at];
-    const unsigned rest = write_fragment<kCenters>(s, at, s.queue[i] >> 2 * kTileBits, true, uncovered);
-    s.uncovered[at] = static_cast<std::uint8_t>(uncovered);
+    const PixelSamples& pixel = s.open[SampleBuffers::place_of(at)];
+    const unsigned rest = fragments.write(pixel, load(pixel.id), at, s.queue[i] >> 2 * kTileBits, true);
     s.queue[queued] = static_cast<std::uint32_t>(at) | rest << 2 * kTileBits;
     queued += static_cast<int>(rest != 0);
   }
-  for (int i = 0; i < s.pixels; ++i) {
-    const int at = s.pixel[i];
-    for (int k = 0; k < 4; ++k) s.sum[4 * at + k] = job.background[k] * static_cast<float>(s.uncovered[at]);
-  }
+  s.fragments = fragments.count();
+  s.pixels = pixels;
 }
 
 BLYSK_INLINE void draw_rows(const RowSurface& s, SampleTile& tile, SampleOcclusion& occlusion) {

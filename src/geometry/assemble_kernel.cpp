@@ -118,29 +118,32 @@ BLYSK_INLINE void bin_dots(const AssembleJob& job, const Dots& dots, int count) 
   }
 }
 
-BLYSK_INLINE void bin_small(const AssembleJob& job, const Triangles& t, unsigned which, unsigned away) {
-  std::int32_t id[kLanes], v0[kLanes], v1[kLanes], v2[kLanes], left[kLanes], top[kLanes], right[kLanes],
-      bottom[kLanes];
-  store(t.id, id);
-  store(t.vertex[0], v0);
-  store(t.vertex[1], v1);
-  store(t.vertex[2], v2);
-  store(shift_right<kTileBits>(t.left), left);
-  store(shift_right<kTileBits>(t.top), top);
-  store(shift_right<kTileBits>(t.right), right);
-  store(shift_right<kTileBits>(t.bottom), bottom);
+BLYSK_INLINE void bin_small(const AssembleJob& job, const Triangles& t, unsigned which, Mask away) {
+  std::int32_t words[4 * kLanes], list[kLanes], columns[kLanes], rows[kLanes];
+  store_interleaved(t.id, t.vertex[0], t.vertex[1], t.vertex[2], words);
+  const I32 left = shift_right<kTileBits>(t.left), top = shift_right<kTileBits>(t.top);
+  const I32 width = shift_right<kTileBits>(t.right) - left, height = shift_right<kTileBits>(t.bottom) - top;
+  const auto number = [](Stream stream) { return I32(static_cast<std::int32_t>(stream)); };
+  const I32 facing = select(away, number(Stream::small_away), number(Stream::small));
+  const I32 stream = job.transparent ? number(Stream::glass_small) : facing;
+  store((top * I32(job.tiles_x) + left) * I32(kStreams) + stream, list);
+  store(width, columns);
+  store(height, rows);
+  const unsigned several = to_bits((width > I32(0)) | (height > I32(0)));
+  Bin* const bins = job.bins;
+  ThreadBins& owner = *job.owner;
+  const int stride = job.tiles_x * kStreams;
   for (; which != 0; which &= which - 1) {
     const int k = __builtin_ctz(which);
-    const Stream facing = (away >> k & 1) != 0 ? Stream::small_away : Stream::small;
-    const Stream stream = job.transparent ? Stream::glass_small : facing;
-    const SmallEntry entry{static_cast<std::uint32_t>(id[k]),
-                           {static_cast<std::uint32_t>(v0[k]), static_cast<std::uint32_t>(v1[k]),
-                            static_cast<std::uint32_t>(v2[k])}};
-    for (int ty = top[k]; ty <= bottom[k]; ++ty) {
-      for (int tx = left[k]; tx <= right[k]; ++tx) {
-        append(*job.owner, job.bins[bin_index(static_cast<std::size_t>(ty * job.tiles_x + tx), stream)],
-               entry);
-      }
+    SmallEntry entry;
+    std::memcpy(&entry, words + 4 * k, sizeof entry);
+    Bin* const first = bins + list[k];
+    if (__builtin_expect((several >> k & 1) == 0, 1)) {
+      append(owner, *first, entry);
+      continue;
+    }
+    for (int y = 0; y <= rows[k]; ++y) {
+      for (int x = 0; x <= columns[k]; ++x) append(owner, first[y * stride + x * kStreams], entry);
     }
   }
 }
@@ -224,7 +227,8 @@ BLYSK_INLINE void assemble_block(AssembleJob& job, const I32 index[3], I32 id, M
   }
   if (small_bits != 0) {
     // From the front a triangle turns counter-clockwise: its area is negative.
-    bin_small(job, t, small_bits, kSampling == Sampling::samples ? ~to_bits(negative) : 0);
+    bin_small(job, t, small_bits,
+              kSampling == Sampling::samples ? and_not(negative, live) : and_not(live, live));
     job.drawn += static_cast<std::uint64_t>(__builtin_popcount(small_bits));
   }
 }

@@ -17,9 +17,8 @@ struct Phong {
 
   template <class F>
   static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
-    Triangle<F> t;
-    t.corners = fetch_corners<F>(job, index);
-    t.normal = fetch_normal_plane(job, t.corners);
+    // In place: the parts are large, and would be copied.
+    Triangle<F> t{fetch_corners<F>(job, index), fetch_normal_plane(job, t.corners)};
     return t;
   }
 

@@ -36,6 +36,16 @@ BLYSK_INLINE Floats<kRegisters> to_centroid(Ints<kRegisters> place) {
   return to_float(nearest(places * F(32.0f) / to_float(fragment_samples(place)) - F(kSampleReach)));
 }
 
+/// to[k] += row[k], k = 0..3
+BLYSK_INLINE void add_row(const float* row, float* to) {
+#if HWY_TARGET == HWY_SCALAR
+  for (int k = 0; k < 4; ++k) to[k] += row[k];
+#else
+  const hn::Full128<float> d;
+  hn::StoreU(hn::Add(hn::LoadU(d, to), hn::LoadU(d, row)), d, to);
+#endif
+}
+
 /// Takes colours to the tile's pixels.
 struct ColorSink {
   static constexpr bool kWide = true;
@@ -62,8 +72,7 @@ struct ColorSink {
     float row[4 * kWideLanes];
     store_rows(min(c.x, one) * weight, min(c.y, one) * weight, min(c.z, one) * weight, weight, row);
     for (int i = 0; i < count; ++i) {
-      float* sum = job.samples->sum + 4 * (place[i] & (kTilePixels - 1));
-      for (int k = 0; k < 4; ++k) sum[k] += row[4 * i + k];
+      add_row(row + 4 * i, job.samples->sum + 4 * (place[i] & (kTilePixels - 1)));
     }
   }
 };
