@@ -28,13 +28,13 @@ class SampleOcclusion {
   /// Of sixteen small triangles, those that are hidden and will be drawn in patches: these keep to the range
   /// of their vertices.
   BLYSK_INLINE Mask hidden(const SmallBoxes& b) const {
-    const I32 left = shift_right<kBlockBits>(b.left), right = shift_right<kBlockBits>(b.right);
-    const I32 top = shift_right<kBlockBits>(b.top), bottom = shift_right<kBlockBits>(b.bottom);
-    const I32 above = top * I32(kBlocksAcross), below = bottom * I32(kBlocksAcross);
-    const F32 farthest = min(min(gather(farthest_, above + left), gather(farthest_, above + right)),
-                             min(gather(farthest_, below + left), gather(farthest_, below + right)));
-    const Mask few = (right - left < I32(2)) & (bottom - top < I32(2));
-    return b.patches & few & (b.highest < farthest);
+    const I32 left = shift_right<kBlockBits>(b.left), top = shift_right<kBlockBits>(b.top);
+    const I32 width = shift_right<kBlockBits>(b.right) - left;
+    const I32 height = shift_right<kBlockBits>(b.bottom) - top;
+    const Mask few = (width < I32(2)) & (height < I32(2));
+    const I32 table = (width + shift_left<1>(height)) & I32(3);
+    const I32 block = shift_left<kBlockBits>(top) + left;
+    return b.patches & few & (b.highest < gather(farthest_, block + table * I32(kTable)));
   }
 
   BLYSK_INLINE void drawn(std::uint64_t blocks, int cost, const SampleTile& tile) {
@@ -54,6 +54,15 @@ class SampleOcclusion {
       float farthest = lanes[0];
       for (int i = 1; i < kLanes; ++i) farthest = min(farthest, lanes[i]);
       farthest_[block] = farthest;
+    }
+    // Past the last column and row stands what no box asks for.
+    for (int i = 0; i < kBlocks; i += kLanes) {
+      const float* here = farthest_ + i;
+      const F32 beside = min(load(here), load(here + 1));
+      const F32 below = min(load(here + kBlocksAcross), load(here + kBlocksAcross + 1));
+      store(beside, farthest_ + kTable + i);
+      store(min(load(here), load(here + kBlocksAcross)), farthest_ + 2 * kTable + i);
+      store(min(beside, below), farthest_ + 3 * kTable + i);
     }
   }
 
@@ -91,7 +100,9 @@ class SampleOcclusion {
     return least;
   }
 
-  float farthest_[kBlocksAcross * kBlocksAcross];
+  static constexpr int kBlocks = kBlocksAcross * kBlocksAcross, kTable = kBlocks + kLanes;
+  // Of blocks; of two beside each other, two below each other, and four, from the first one on.
+  float farthest_[4 * kTable];
   std::uint64_t stale_ = 0;
   int waited_ = 0;
 };

@@ -26,17 +26,18 @@ class PatchPainter {
       // How far below 0 the centre of a pixel may be whose samples are not all out.
       least[k] = F32(-3.0f) * (magnitude(dx) + magnitude(dy));
     }
-    const I32 left = load(b.left), top = load(b.top), right = load(b.right), bottom = load(b.bottom);
+    const I32 left = load(b.left), top = load(b.top);
+    const I32 width = load(b.right) - left + I32(1), height = load(b.bottom) - top + I32(1);
     const F32 x = load(b.x), slope_x = load(b.slope_x);
     I32 corner = (shift_left<kTileBits>(top) + left) | shift_left<2 * kTileBits>(iota(0));
     for (int j = 0;; ++j, corner = corner + I32(kTileSize)) {
-      const Mask in_row = which & (top + I32(j) <= bottom);
+      const Mask in_row = which & (I32(j) < height);
       if (!any(in_row)) break;
       const F32 down = load(b.y) + F32(static_cast<float>(j * kSubpixels));
       const F32 start = load(b.nearness) + down * load(b.slope_y);
       F32 edge[3] = {row_edge[0], row_edge[1], row_edge[2]};
       for (int i = 0;; ++i) {
-        const Mask inside = in_row & (left + I32(i) <= right);
+        const Mask inside = in_row & (I32(i) < width);
         if (!any(inside)) break;
         const Mask reached = inside & (edge[0] >= least[0]) & (edge[1] >= least[1]) & (edge[2] >= least[2]);
         if (any(reached)) {
@@ -82,7 +83,9 @@ class PatchPainter {
 
   template <bool kCenters>
   BLYSK_INLINE void take_all(const SmallBlock& b) {
-    for (int n = 0; n < count_; ++n) {
+    PixelSamples* const open = tile_.samples.open;
+    const int count = count_;
+    for (int n = 0; n < count; ++n) {
       const int at = list_[n] & (kTilePixels - 1), cell = list_[n] >> 2 * kTileBits;
       const int i = cell & (kLanes - 1);
       const Samples& s = samples_[i];
@@ -91,7 +94,7 @@ class PatchPainter {
                         bits_of(load(s.edge[2]) + F32(edge_[2][cell]));  // a sum of floats is never -0 here
       const F32 plane = (F32(center_[cell]) + load(s.along_x)) + load(s.along_y);
       const F32 depths = min(max(plane, F32(b.lowest[i])), F32(b.highest[i]));
-      const Mask wins = take(tile_.samples_of(at), signs < I32(0), depths, I32(b.id[i]));
+      const Mask wins = take(open[SampleBuffers::place_of(at)], signs < I32(0), depths, I32(b.id[i]));
       if constexpr (kCenters) {
         if (to_bits(wins) != kAllSamples) continue;
         tile_.pixels.nearness[at] = min(max(center_[cell], b.lowest[i]), b.highest[i]);

@@ -18,13 +18,13 @@ BLYSK_INLINE void append(ThreadBins& bins, Bin& bin, const Entry& entry) {
 template <class Entry, class Visit>
 BLYSK_INLINE void for_each_entry(const Bin& bin, Visit visit) {
   for (const BinBlock* block = bin.first; block != nullptr; block = block->next) {
-    if (block->next != nullptr) {
-      // Blocks lie apart: what fetches ahead by itself does not see the next one coming.
-      const auto* next = reinterpret_cast<const std::byte*>(block->next);
-      for (std::size_t line = 0; line < BinBlock::kBytes; line += 64) __builtin_prefetch(next + line);
-    }
+    // Blocks lie apart: what fetches ahead by itself does not see the next one coming.
+    const BinBlock* next = block->next != nullptr ? block->next : block;
+    const std::ptrdiff_t ahead =
+        reinterpret_cast<const std::byte*>(next) - reinterpret_cast<const std::byte*>(block);
     const std::byte* end = block == bin.last ? bin.cursor : block->entries + block->used;
     for (const std::byte* at = block->entries; at != end; at += sizeof(Entry)) {
+      __builtin_prefetch(at + ahead);
       visit(*reinterpret_cast<const Entry*>(at));
     }
   }
