@@ -33,7 +33,8 @@ class SampleOcclusion {
     const I32 height = shift_right<kBlockBits>(b.bottom) - top;
     const Mask few = (width < I32(2)) & (height < I32(2));
     const I32 table = (width + shift_left<1>(height)) & I32(3);
-    const I32 block = shift_left<kBlockBits>(top) + left;
+    // Lanes past the last triangle may lie anywhere.
+    const I32 block = (shift_left<kBlockBits>(top) + left) & I32(kBlocks - 1);
     return b.patches & few & (b.highest < gather(farthest_, block + table * I32(kTable)));
   }
 
