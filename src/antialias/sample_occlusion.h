@@ -68,7 +68,7 @@ class SampleOcclusion {
   }
 
  private:
-  static constexpr int kWait = 256;  // small triangles: a refresh costs as much as a few of them
+  static constexpr int kWait = 512;  // small triangles: a refresh costs as much as a few of them
 
   static BLYSK_INLINE F32 least_of_open(const SampleTile& tile, int at) {
     F32 even(1e30f), odd(1e30f);  // two chains at once

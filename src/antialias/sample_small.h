@@ -89,6 +89,17 @@ class SmallQueue {
   int count_ = 0;
 };
 
+/// Bits of some blocks beside and below the first, for `across | down << 2` more of them.
+struct BlockSpans {
+  std::uint64_t of[16];
+  constexpr BlockSpans() : of() {
+    for (unsigned i = 0; i < 16; ++i) {
+      for (unsigned row = 0; row <= i >> 2; ++row) of[i] |= ((2ull << (i & 3)) - 1) << kBlocksAcross * row;
+    }
+  }
+};
+inline constexpr BlockSpans kBlockSpans;
+
 /// Sixteen small triangles as columns. Edge functions and depths at the centre of the first pixel of the box.
 struct SmallBlock {
   std::int32_t id[kLanes];
@@ -98,10 +109,13 @@ struct SmallBlock {
   float x[kLanes], y[kLanes], nearness[kLanes], slope_x[kLanes], slope_y[kLanes], lowest[kLanes],
       highest[kLanes], slope_error[kLanes];
   std::int32_t left[kLanes], top[kLanes], right[kLanes], bottom[kLanes];  ///< in the tile, inclusive
-  unsigned patches;  ///< bits of the triangles to be drawn in patches
+  unsigned patches;                                       ///< bits of the triangles to be drawn in patches
+  std::int32_t first_block[kLanes], more_blocks[kLanes];  ///< across | down << 2; of patches only
 
-  BLYSK_INLINE Box box(int i) const { return {left[i], top[i], right[i], bottom[i]}; }
+  /// Bits of the blocks that a patch meets.
+  BLYSK_INLINE std::uint64_t blocks(int i) const { return kBlockSpans.of[more_blocks[i]] << first_block[i]; }
 };
+static_assert((kPatchExtent / kSubpixels + kBlockSide - 1) / kBlockSide < 4);
 
 BLYSK_INLINE void set_up_edge(const I32* x, const I32* y, int a, int b, I32 px, I32 py, SmallBlock& out,
                               int k) {
@@ -128,6 +142,12 @@ BLYSK_INLINE void set_up_small(const TileJob& job, const SmallTriangles& t, Smal
   store(box.lowest, out.lowest);
   store(box.highest, out.highest);
   out.patches = to_bits(box.patches);
+  const I32 across = shift_right<kBlockBits>(box.left), down = shift_right<kBlockBits>(box.top);
+  store((shift_left<kBlockBits>(down) + across) & I32(63), out.first_block);
+  store(((shift_right<kBlockBits>(box.right) - across) +
+         shift_left<2>(shift_right<kBlockBits>(box.bottom) - down)) &
+            I32(15),
+        out.more_blocks);
 
   const I32 px = shift_left<kSubpixelBits>(box.left) + I32(kSubpixels / 2);
   const I32 py = shift_left<kSubpixelBits>(box.top) + I32(kSubpixels / 2);

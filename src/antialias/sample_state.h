@@ -95,14 +95,28 @@ struct SampleTile {
     if (__builtin_expect((blocks & ~open_blocks) != 0, 0)) open_missing(blocks & ~open_blocks);
   }
   __attribute__((noinline)) void open_missing(std::uint64_t blocks) {
+    any_open = true;
     open_blocks |= blocks;
     for (; blocks != 0; blocks &= blocks - 1) {
       const int first = first_pixel_of(__builtin_ctzll(blocks));
-      for (int i = 0; i < kBlockSide * kBlockSide; ++i) {
-        const int at = first + i / kBlockSide * kTileSize + i % kBlockSide;
-        if (!is_open(at)) open(at);
-      }
+      for (int row = 0; row < kBlockSide; ++row) open_row(first + row * kTileSize);
     }
+  }
+  /// A block's row; most are empty yet.
+  BLYSK_INLINE void open_row(int at) {
+    const Mask inside = lanes_below(kBlockSide);
+    if (any(inside & (load(pixels.id + at) != I32(static_cast<std::int32_t>(kNoTriangle))))) {
+      for (int i = 0; i < kBlockSide; ++i) {
+        if (!is_open(at + i)) open(at + i);
+      }
+      return;
+    }
+    PixelSamples* const row = &samples_of(at);
+    for (int i = 0; i < kBlockSide; ++i) {
+      store(F32(kNothingNear), row[i].nearness);
+      store(I32(kNoSurface), row[i].id);
+    }
+    store_masked(inside, I32(static_cast<std::int32_t>(kManySurfaces)), pixels.id + at);
   }
 
   /// An open pixel shows one surface from now on.

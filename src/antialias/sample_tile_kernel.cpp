@@ -106,7 +106,7 @@ void collect(const SampleJob& job) {
 BLYSK_INLINE void draw_rows(const RowSurface& s, SampleTile& tile, SampleOcclusion& occlusion) {
   if (occlusion.hides(s.box(), s.ceiling)) return;
   RowPainter(s, tile).draw();
-  occlusion.drawn(s.box().blocks(), 8, tile);
+  occlusion.drawn(s.box().blocks(), 16, tile);
 }
 
 /// Small triangles on their way through a tile.
@@ -143,17 +143,17 @@ class SmallPainter {
   __attribute__((noinline)) void draw(int count) {
     SmallBlock block;
     set_up_small(job_, queue_.take(), block);
+    const unsigned there = (1u << count) - 1;
+    for (unsigned rest = there & ~block.patches; rest != 0; rest &= rest - 1) {
+      draw_rows(row_surface(block, __builtin_ctz(rest)), tile_, occlusion_);
+    }
     std::uint64_t blocks = 0;
-    for (int i = 0; i < count; ++i) {
-      if ((block.patches >> i & 1) != 0) {
-        blocks |= block.box(i).blocks();
-      } else {
-        draw_rows(row_surface(block, i), tile_, occlusion_);
-      }
+    for (unsigned rest = there & block.patches; rest != 0; rest &= rest - 1) {
+      blocks |= block.blocks(__builtin_ctz(rest));
     }
     if (blocks == 0) return;
     tile_.open_all(blocks);
-    painter_.template draw<kCenters>(block, lanes_of(block.patches) & lanes_below(count));
+    painter_.template draw<kCenters>(block, lanes_of(there & block.patches));
     occlusion_.drawn(blocks, count, tile_);
   }
 
