@@ -254,12 +254,14 @@ std::string reports_text(const std::vector<StudyReport>& reports) {
   return text;
 }
 
-std::string reports_markdown(const std::vector<StudyReport>& reports, const std::string& folder) {
-  const std::string which = reports.size() == 1 ? " --study " + reports.front().name : "";
-  std::string text = std::string(
-                         "# Replication\n\nWhat the papers claim and what is found here. This page is "
-                         "what\n`blysk replicate") +
-                     which + " --markdown -o docs/images` prints.\n\n" + head_line(reports) + "\n";
+std::string reports_markdown(const std::vector<StudyReport>& reports, const std::string& folder,
+                             const std::vector<std::string>& models) {
+  std::string which = reports.size() == 1 ? " --study " + reports.front().name : "";
+  which += " --markdown -o docs/images";
+  for (const std::string& model : models) which += " " + std::filesystem::path(model).filename().string();
+  std::string text =
+      "# Replication\n\nWhat the papers claim and what is found here. This page is what\n`blysk replicate" +
+      which + "` prints.\n\n" + head_line(reports) + "\n";
   for (const StudyReport& report : reports) text += report_markdown(report, folder);
   return text;
 }
