@@ -18,9 +18,10 @@ h2 small { font-weight: normal; opacity: .75; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; margin: 1.5rem 0; font-variant-numeric: tabular-nums; }
 th, td { border-bottom: 1px solid var(--line); padding: .35rem .8rem; text-align: left; white-space: nowrap; }
-th { font-size: .8rem; opacity: .75; }
+th { font-size: .8rem; color: GrayText; }
+th:first-child, td:first-child { position: sticky; left: 0; background: Canvas; }
 section { border-top: 1px solid var(--line); padding: 1.25rem 0; }
-.row { display: grid; gap: 1rem; grid-template-columns: 1fr 1fr 1fr; align-items: start; }
+.row { display: grid; gap: 1rem; grid-template-columns: var(--widths); align-items: start; }
 figure { margin: 0; background: var(--panel); padding: .5rem; }
 figure img { display: block; max-width: 100%; height: auto; image-rendering: pixelated; }
 figcaption { padding-top: .35rem; font-size: .85rem; overflow-wrap: anywhere; }
@@ -67,35 +68,56 @@ std::string figure(const Image& image, std::string_view caption) {
          base64(png) + "\"><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
 
-std::string html_table(const std::vector<std::vector<std::string>>& rows) {
+std::string section_id(std::size_t candidate) { return "c" + std::to_string(candidate + 1); }
+
+// The table's rows of candidates lead to their sections.
+std::string html_table(const Comparison& comparison) {
+  const auto rows = comparison_rows(comparison);
+  std::vector<std::string> targets;  // of the last rows
+  for (std::size_t i = 0; i < comparison.candidates.size(); ++i) {
+    if (comparison.candidates[i].difference) targets.push_back(section_id(i));
+  }
   std::string text = "<div class=\"scroll\"><table>\n";
-  std::string_view cell = "th";
-  for (const auto& row : rows) {
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const std::string cell = r == 0 ? "th" : "td";
+    const std::size_t others = rows.size() - targets.size();
     text += "<tr>";
-    for (const std::string& words : row) {
-      text += "<" + std::string(cell) + ">" + escaped(words) + "</" + std::string(cell) + ">";
+    for (std::size_t i = 0; i < rows[r].size(); ++i) {
+      const bool leads = i == 0 && r >= others;
+      const std::string link = leads ? "<a href=\"#" + targets[r - others] + "\">" : "";
+      text += "<" + cell + ">" + link + escaped(rows[r][i]) + (leads ? "</a>" : "") + "</" + cell + ">";
     }
     text += "</tr>\n";
-    cell = "td";
   }
   return text + "</table></div>\n";
 }
 
-Result<std::string> section(const Comparison& comparison, const Compared& candidate) {
-  const Compared& reference = comparison.reference;
-  std::string text = "<section><h2>" + escaped(candidate.name) +
+// Pictures side by side are shown at one scale: columns are as wide as they are.
+std::string row_of_pictures(const std::vector<int>& widths) {
+  std::string columns;
+  for (const int width : widths) columns += " minmax(0, " + std::to_string(width) + "fr)";
+  return "<div class=\"row\" style=\"--widths:" + columns + "\">\n";
+}
+
+Result<std::string> section(const Comparison& comparison, std::size_t index) {
+  const Compared &reference = comparison.reference, &candidate = comparison.candidates[index];
+  std::string text = "<section id=\"" + section_id(index) + "\"><h2>" + escaped(candidate.name) +
                      (candidate.title.empty() ? "" : " <small>" + escaped(candidate.title) + "</small>") +
-                     "</h2>\n<div class=\"row\">\n" +
-                     figure(reference.image, "reference: " + reference.name) +
-                     figure(candidate.image, candidate.name);
-  if (candidate.difference) {
-    const Result<Image> map = difference_picture(reference.image, candidate.image);
-    if (!map) return map.error();
-    text += figure(*map, "largest difference of any channel, 0 to 255");
-  } else {
-    text += "<p>The sizes differ: there is nothing to measure.</p>\n";
+                     "</h2>\n";
+  const std::string pictures =
+      figure(reference.image, "reference: " + reference.name) + figure(candidate.image, candidate.name);
+  if (!candidate.difference) {
+    return text + row_of_pictures({reference.width, candidate.width, reference.width}) + pictures +
+           "<p>The sizes differ: there is nothing to measure.</p>\n</div></section>\n";
   }
-  return text + "</div></section>\n";
+  const Result<Image> map = difference_picture(reference.image, candidate.image);
+  if (!map) return map.error();
+  const int largest = candidate.difference->max_difference;
+  const std::string caption = largest == 0 ? "no difference"
+                                           : "difference, largest of the channels; the bar ends at " +
+                                                 std::to_string(largest) + " of 255";
+  return text + row_of_pictures({reference.width, candidate.width, map->width}) + pictures +
+         figure(*map, caption) + "</div></section>\n";
 }
 
 }  // namespace
@@ -108,9 +130,9 @@ Result<std::string> comparison_page(const Comparison& comparison) {
       "<meta name=\"viewport\" content=\"width=device-width\">\n<title>blysk compare: " +
       subject + "</title>\n<style>" + std::string(kStyle) + "</style>\n</head>\n<body>\n<h1>" + subject +
       "</h1>\n<p>" + escaped(comparison.setting) + (comparison.setting.empty() ? "" : "; ") + "blysk " +
-      std::string(version()) + "</p>\n" + html_table(comparison_rows(comparison));
-  for (const Compared& candidate : comparison.candidates) {
-    const Result<std::string> part = section(comparison, candidate);
+      std::string(version()) + "</p>\n" + html_table(comparison);
+  for (std::size_t i = 0; i < comparison.candidates.size(); ++i) {
+    const Result<std::string> part = section(comparison, i);
     if (!part) return part.error();
     page += *part;
   }

@@ -20,13 +20,10 @@ Status check_options(const Arguments& arguments) {
   for (const Study& study : studies()) {
     if (chosen && study.name == arguments.text("study") && study.has_scenes) return Done{};
   }
-  for (const char* of_scenes : {"scenes", "max-triangles", "max-memory", "threads"}) {
+  for (const char* of_scenes : {"scenes", "threads"}) {
     if (arguments.has(of_scenes)) {
       return usage_error("--" + std::string(of_scenes), "is for a study with scenes: --study abuffer");
     }
-  }
-  if (!arguments.operands().empty()) {
-    return usage_error(arguments.operands().front(), "models are for a study with scenes: --study abuffer");
   }
   return Done{};
 }
@@ -76,9 +73,10 @@ Result<int> run_replicate(const Arguments& arguments) {
   if (!folder.empty()) {
     if (const Status status = write_plots(*reports, folder); !status) return status.error();
   }
-  const Status status = arguments.has("json")       ? print_json(reports_json(*reports))
-                        : arguments.has("markdown") ? print(reports_markdown(*reports, folder))
-                                                    : print(reports_text(*reports));
+  const Status status = arguments.has("json") ? print_json(reports_json(*reports))
+                        : arguments.has("markdown")
+                            ? print(reports_markdown(*reports, folder, arguments.operands()))
+                            : print(reports_text(*reports));
   if (!status) return status.error();
   return 0;
 }

@@ -47,13 +47,33 @@ Rows rows_by_scene(const std::vector<StudyClaim>& claims) {
   return rows;
 }
 
-Rows rows_with_reasons(const std::vector<StudyClaim>& claims) {
-  Rows rows = {{"claim", "source", "claimed", "modelled", "measured", "verdict", "why"}};
-  for (const StudyClaim& c : claims) {
-    rows.push_back({c.claim, c.source, c.claimed.text, c.modelled.text, measured_text(c),
-                    "**" + std::string(verdict_name(c.verdict)) + "**", c.why});
+Rows rows_by_number(const std::vector<StudyClaim>& claims) {
+  Rows rows = {{"", "claim", "source", "claimed", "modelled", "verdict"}};
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    const StudyClaim& c = claims[i];
+    rows.push_back({std::to_string(i + 1), c.claim, c.source, c.claimed.text, c.modelled.text,
+                    "**" + std::string(verdict_name(c.verdict)) + "**"});
   }
   return rows;
+}
+
+// "claimed 3.03x, modelled 3.00x, measured 0.90x (plain program)".
+std::string figures_text(const StudyClaim& c) {
+  std::string figures = "claimed " + c.claimed.text;
+  if (!c.modelled.text.empty()) figures += ", modelled " + c.modelled.text;
+  return figures + ", measured " + measured_text(c);
+}
+
+// Numbered as the table is, which would be too narrow for it.
+std::string reasons_markdown(const std::vector<StudyClaim>& claims) {
+  std::string text;
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    const StudyClaim& c = claims[i];
+    text += std::to_string(i + 1) + ". " + printable(c.claim) + ": **" +
+            std::string(verdict_name(c.verdict)) + "**; " + printable(figures_text(c)) + ". " +
+            printable(c.why) + "\n";
+  }
+  return text + "\n";
 }
 
 constexpr Verdict kVerdicts[] = {Verdict::holds, Verdict::in_part, Verdict::fails};
@@ -161,12 +181,10 @@ Json report_json(const StudyReport& report) {
 std::string reasons_text(const std::vector<StudyClaim>& claims) {
   std::string text;
   for (const StudyClaim& c : claims) {
-    std::string figures = "claimed " + c.claimed.text;
-    if (!c.modelled.text.empty()) figures += ", modelled " + c.modelled.text;
-    figures += ", measured " + measured_text(c);
     text +=
         wrap(std::string(verdict_name(c.verdict)) + ": " + c.claim + " (" + c.source + ")", kTextWidth, 4) +
-        "\n    " + wrap(figures, kTextWidth - 4, 6) + "\n    " + wrap(c.why, kTextWidth - 4, 4) + "\n";
+        "\n    " + wrap(figures_text(c), kTextWidth - 4, 6) + "\n    " + wrap(c.why, kTextWidth - 4, 4) +
+        "\n";
   }
   return text;
 }
@@ -196,7 +214,8 @@ std::string plot_link(const std::string& folder, const StudyPlot& plot) {
 std::string report_markdown(const StudyReport& report, const std::string& folder) {
   std::string text =
       "\n## " + report.title + "\n\n" + report.source + ".\n\n" + tally(report.claims) + ".\n\n";
-  text += markdown_table(by_scene(report) ? summary_of(report.claims) : rows_with_reasons(report.claims));
+  text += markdown_table(by_scene(report) ? summary_of(report.claims) : rows_by_number(report.claims));
+  if (!by_scene(report)) text += "### Why\n\n" + reasons_markdown(report.claims);
   for (const StudySection& section : report.sections) {
     text += "### " + section.title + "\n\n";
     for (const std::string& paragraph : section.paragraphs) text += paragraph + "\n\n";
@@ -254,12 +273,14 @@ std::string reports_text(const std::vector<StudyReport>& reports) {
   return text;
 }
 
-std::string reports_markdown(const std::vector<StudyReport>& reports, const std::string& folder) {
-  const std::string which = reports.size() == 1 ? " --study " + reports.front().name : "";
-  std::string text = std::string(
-                         "# Replication\n\nWhat the papers claim and what is found here. This page is "
-                         "what\n`blysk replicate") +
-                     which + " --markdown -o docs/images` prints.\n\n" + head_line(reports) + "\n";
+std::string reports_markdown(const std::vector<StudyReport>& reports, const std::string& folder,
+                             const std::vector<std::string>& models) {
+  std::string which = reports.size() == 1 ? " --study " + reports.front().name : "";
+  which += " --markdown -o docs/images";
+  for (const std::string& model : models) which += " " + std::filesystem::path(model).filename().string();
+  std::string text =
+      "# Replication\n\nWhat the papers claim and what is found here. This page is what\n`blysk replicate" +
+      which + "` prints.\n\n" + head_line(reports) + "\n";
   for (const StudyReport& report : reports) text += report_markdown(report, folder);
   return text;
 }

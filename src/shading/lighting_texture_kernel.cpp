@@ -7,6 +7,7 @@
 #include "shading/mixed_normals.h"
 #include "shading/shade_tile.h"
 #include "shading/texture_cache.h"
+#include "shading/texture_cell.h"
 #include "simd/kernels.h"
 
 namespace blysk::BLYSK_ISA {
@@ -128,40 +129,11 @@ struct LightingTexture {
     return s;
   }
 
-  // Words of four points around a pixel, and how much it is of each.
-  template <class P>
-  struct Cell {
-    Integer<P> at[4];  // (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)
-    P x, y, xy;
-  };
-
-  template <class F, class P>
-  static BLYSK_INLINE Cell<P> cell_at(const Triangle<F>& t, const Span<F>& s, P x) {
-    using I = Integer<P>;
-    const P zero(0.0f), one(1.0f), steps = max(P(s.steps), one);
-    const P over = min(max(right_of(t.frame, s.start, x) * P(t.frame.over), zero), one);
-    const P down = min(max(P(s.start.s) - P(t.frame.bend) * over, zero), one - over);
-    const P column = down * steps, row = over * steps;
-    const I last = truncate(steps) - I(1);
-    const I j = min(truncate(row), last), i = min(truncate(column), last - j);
-    Cell<P> c;
-    c.x = column - to_float(i);
-    c.y = row - to_float(j);
-    // The last cells of each row are cut by the edge: linear.
-    const auto cut = i + j >= last;
-    c.xy = select(cut, zero, c.x * c.y);
-    c.at[0] = I(s.base) + (j * I(kTextureRow) + i);
-    c.at[1] = c.at[0] + I(1);
-    c.at[2] = c.at[0] + I(kTextureRow);
-    c.at[3] = select(cut, c.at[0], c.at[2] + I(1));
-    return c;
-  }
-
   template <class F, class P>
   static BLYSK_INLINE Intensity<P> fetch_light(const TexturedJob& job, const Triangle<F>& t, const Span<F>& s,
                                                P x) {
     const Surface& surface = job.draw->surface;
-    const Cell<P> c = cell_at(t, s, x);
+    const TextureCell<P> c = texture_cell(t.frame, s.start, s.steps, s.base, x);
     const auto between = [&](const P v[4]) {
       const P b = v[1] - v[0], d = v[2] - v[0];
       return (((v[0] + c.x * b) + c.y * d) + c.xy * ((v[3] - v[2]) - b)) * P(1.0f / kTextureOne);

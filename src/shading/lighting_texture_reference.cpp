@@ -20,13 +20,4 @@ int paper_level(double longest) {
 int square_points(int steps) { return (steps + 1) * (steps + 1); }
 int triangle_points(int steps) { return (steps + 1) * (steps + 2) / 2; }
 
-double fetch_texture(int steps, const TexturePoint& point, double u, double v) {
-  const int j = std::min(static_cast<int>(v * steps), steps - 1);
-  const int i = std::min(static_cast<int>(u * steps), steps - 1 - j);
-  const double x = u * steps - i, y = v * steps - j;
-  const double a = point(i, j), b = point(i + 1, j), c = point(i, j + 1);
-  const double bent = i + j + 1 < steps ? point(i + 1, j + 1) - b - c + a : 0;
-  return a + x * (b - a) + y * (c - a) + x * y * bent;
-}
-
 }  // namespace blysk::reference

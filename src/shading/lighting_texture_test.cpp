@@ -136,13 +136,13 @@ TEST(lighting_texture, is_its_reference) {
     int steps = reference::texture_steps(setting.finest, setting.texel, longest, std::abs(twice) / 2);
     if (std::abs(turn * kShininess - kTextureTurn * steps * steps) < 1e-4) continue;
     if (!facing || turn * kShininess > kTextureTurn * steps * steps) steps = 0;
-    std::vector<Vec2<double>> points;
-    for (int j = 0; j <= steps; ++j) {
-      for (int i = 0; i <= steps; ++i) {
-        points.push_back(
-            i + j <= steps && steps > 0
-                ? terms(reference::triangle_node(s.normal[0], s.normal[1], s.normal[2], steps, i, j))
-                : Vec2<double>{});
+    std::vector<Vec2<double>> points(static_cast<std::size_t>((steps + 1) * (steps + 1)));
+    if (steps > 0) {
+      const reference::TriangleNodes nodes(s.normal[0], s.normal[1], s.normal[2], steps);
+      for (int j = 0; j <= steps; ++j) {
+        for (int i = 0; i + j <= steps; ++i) {
+          points[static_cast<std::size_t>(j * (steps + 1) + i)] = terms(nodes.at(i, j));
+        }
       }
     }
     o.shading = setting.name;

@@ -12,6 +12,7 @@
 #include "lighting/lobe_reference.h"
 #include "lighting/set_lobe.h"
 #include "render/testing.h"
+#include "shading/linear_light_reference.h"
 
 namespace blysk {
 namespace {
@@ -205,6 +206,64 @@ void judge(Random& random, const Batch& b, Judged& found) {
     found.most = std::max(found.most, worst[t] / (double{bound[t]} + 1e-4));
     if (worst[t] > double{bound[t]} / 8) ++found.tight;
   }
+}
+
+// What reference::diffuse_bound() and specular_bound() make of a triangle; parallel projection, one lamp.
+double reference_error(const Batch& b, std::size_t triangle) {
+  const Surface& s = b.draw.surface;
+  const Lamp& lamp = s.lamp[0];
+  const Vec3d to_lamp = {lamp.vector[0], lamp.vector[1], lamp.vector[2]},
+              half = normalize(to_lamp + Vec3d{0, 0, 1});
+  Vec3d normal[3];
+  double n_l[3], n_h[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3d n = to_double(b.normals[3 * triangle + k]);
+    normal[k] = n.z < 0 ? -n : n;
+    n_l[k] = dot(normal[k], to_lamp);
+    n_h[k] = dot(normal[k], half);
+  }
+  if (reference::least_of(n_l) <= 0) return 0;
+  const double bow = reference::largest_bow(normal);
+  const double diffuse = double{std::max({lamp.diffuse[0], lamp.diffuse[1], lamp.diffuse[2]})} *
+                         reference::diffuse_bound(n_l, bow);
+  if (s.model == LightingModel::lambert) return diffuse;
+  const bool power = s.lobe == Lobe::power;
+  const double exponent = power ? double{s.shininess} : s.lobe_exponent;
+  return diffuse + double{std::max({lamp.specular[0], lamp.specular[1], lamp.specular[2]})} *
+                       reference::specular_bound(n_h, bow, exponent, power ? 1.0 : double{s.lobe_scale},
+                                                 [&](double base) { return std::pow(base, exponent); });
+}
+
+TEST(linear_light, bound_is_its_reference_over_a_million_triangles) {
+  Random random(32);
+  Batch batch;
+  long triangles = 0;
+  double worst = 0;
+  while (triangles < 1000000) {
+    randomize_light(random, batch);
+    batch.rays = ViewRays{};
+    batch.rays.direction[2] = -1;
+    batch.rays.orthographic = true;
+    batch.job.screen_linear = true;
+    batch.job.transfer = Transfer::none;
+    batch.draw.surface.lamps = 1;
+    for (int i = 0; i < 64; ++i) {
+      randomize_triangles(random, batch);
+      for (Vec3f& n : batch.normals) n = to_float(normalize(to_double(n)));
+      const auto light = isa_test::fetch_linear_light<F32>(batch.job, isa_test::iota(0));
+      const unsigned fits = to_bits(light.fits);
+      float bound[kLanes];
+      isa_test::store(light.error, bound);
+      for (std::size_t t = 0; t < kLanes; ++t) {
+        if ((fits >> t & 1) == 0) continue;
+        const double exact = reference_error(batch, t);
+        worst = std::max(worst, std::abs(double{bound[t]} - exact) / (1e-3 * exact + 2e-6));
+        ++triangles;
+      }
+    }
+  }
+  EXPECT_LT(worst, 1);
+  EXPECT_GT(worst, 0.05);
 }
 
 TEST(linear_light, bound_holds_over_a_million_triangles) {

@@ -103,7 +103,7 @@ TEST(row_normals_reference, rows_of_nine) {
   const Vec3d z = {0, 0, 1}, first_b = {0.6, 0, 0.8}, second_a = {third, 2 * third, 2 * third},
               second_b = {2 * third, -third, 2 * third};
   const Row9 first =
-      chebyshev_row(z, first_b, exact_step_cosine(0.8), exact_step_weight(exact_step_cosine(0.8)));
+      chebyshev_row(z, first_b, 0.8, exact_step_cosine(0.8), exact_step_weight(exact_step_cosine(0.8)));
   const double xs[] = {.080350925, .160182243, .238977706, .316227766, .391432868, .464106680, .533779242};
   const double zs[] = {.996766637, .987087458, .971025054, .948683298, .920206667, .885779312, .845623865};
   const std::vector<Vec3d> halved = halved_row(z, first_b, 9);
@@ -295,15 +295,16 @@ TEST(row_normals_reference, matrix_block) {
   expect_near(t.node[10][6], {.222243343, .277619609, .934631076});
 
   // With the edges exact: on them as the rows of nine, inside near the blocks.
+  const TriangleNodes exact_edges(n00, b, c, 16);
   for (int i = 0; i <= 16; ++i) {
     for (int j = 0; i + j <= 16; ++j) {
-      const Vec3d node = triangle_node(n00, b, c, 16, i, j);
+      const Vec3d node = exact_edges.at(i, j);
       EXPECT_NEAR(length(node), 1, 1e-4);
       EXPECT_GT(dot(node, t.node[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]), 0.9998);
     }
   }
-  expect_near(triangle_node(n00, b, c, 16, 10, 6), slerp(b, c, 6.0 / 16));
-  expect_near(triangle_node(n00, b, c, 16, 8, 0), t.node[8][0]);
+  expect_near(exact_edges.at(10, 6), slerp(b, c, 6.0 / 16));
+  expect_near(exact_edges.at(8, 0), t.node[8][0]);
 }
 
 }  // namespace

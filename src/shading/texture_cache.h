@@ -5,14 +5,11 @@
 // its two corners alone, and on neither's rank, so that neighbours agree in every bit.
 #pragma once
 
-#include "math/lighting_texture.h"
 #include "shading/arc.h"
 #include "shading/lit_triangle.h"
+#include "shading/texture_cell.h"
 
 namespace blysk::BLYSK_ISA {
-
-inline constexpr int kTextureRow = kTextureSteps + 1;
-inline constexpr int kTextureWords = kTextureRow * kTextureRow;
 
 /// Unit normals of one edge or of all points.
 template <int kCount>

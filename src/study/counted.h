@@ -38,7 +38,7 @@ inline Operations& operations_so_far() {
   return so_far;
 }
 
-/// Constants are free among themselves; so are a sign, adding the constant 0 and multiplying by 1.
+/// Constants are free among themselves; so are a sign, adding the constant 0 and multiplying by 0 or 1.
 class Counted {
  public:
   Counted() = default;
@@ -55,6 +55,7 @@ class Counted {
   friend Counted operator*(Counted a, Counted b) {
     const double product = a.value_ * b.value_;
     if (a.constant_ && b.constant_) return product;
+    if (a.is_zero() || b.is_zero()) return 0;
     if (a.constant_ || b.constant_) {
       scale(a.constant_ ? a.value_ : b.value_);
     } else {
@@ -85,6 +86,10 @@ class Counted {
   /// Which pixel it is a program knows.
   friend Counted next_pixel(Counted x) { return input(x.value_ + 1); }
 
+  /// The upper bits of a fixed-point number, and what is left without an integer that the program found.
+  friend int whole_part(Counted a) { return static_cast<int>(a.value_); }
+  friend Counted beyond(Counted a, int whole) { return a - input(whole); }
+
   friend Counted sqrt(Counted a) {
     if (a.constant_) return std::sqrt(a.value_);
     ++operations_so_far().sqrt;
@@ -93,6 +98,7 @@ class Counted {
 
  private:
   Counted(double value, bool constant) : value_(value), constant_(constant) {}
+  [[nodiscard]] bool is_zero() const { return constant_ && value_ == 0; }
 
   static bool power_of_two(double v) {
     int exponent;
@@ -100,8 +106,7 @@ class Counted {
   }
   static Counted sum(Counted a, Counted b, double value) {
     if (a.constant_ && b.constant_) return value;
-    const bool with_zero = (a.constant_ && a.value_ == 0) || (b.constant_ && b.value_ == 0);
-    if (!with_zero) ++operations_so_far().add;
+    if (!a.is_zero() && !b.is_zero()) ++operations_so_far().add;
     return {value, false};
   }
   static void scale(double constant) {

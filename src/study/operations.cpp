@@ -5,6 +5,7 @@
 #include "math/trig.h"
 #include "study/walks_intensity.h"
 #include "study/walks_normals.h"
+#include "study/walks_points.h"
 #include "study/walks_rows.h"
 
 namespace blysk::study {
@@ -50,10 +51,23 @@ constexpr Walk kWalks[] = {
          [](const auto& t, auto& out) { walk_angular(t, out); }),
     walk("fast-normalize", "fast-normalize", "squared length by additions, then the parabola",
          [](const auto& t, auto& out) { walk_fast_normalize(t, out); }),
-    walk("half-sum", "dichotomy", "odd pixels by the parabola, even ones half the sum of their neighbours",
+    walk("dichotomy-half-sum", "dichotomy",
+         "odd pixels by the parabola, even ones half the sum of their neighbours",
          [](const auto& t, auto& out) { walk_half_sum(t, out); }),
     walk("barycentric", "barycentric", "a parabola of vectors along the row",
          [](const auto& t, auto& out) { walk_barycentric(t, out); }),
+    walk("parallel", "parallel", "one polynomial for a row",
+         [](const auto& t, auto& out) { walk_parallel(t, out); }),
+    walk("parallel-nines", "parallel", "nine pixels at a time by the printed Chebyshev polynomials",
+         [](const auto& t, auto& out) { walk_nines(t, out); }),
+    walk("lighting-texture", "lighting-texture", "6 points: 4 pixels apart, as the default has it",
+         [](const auto& t, auto& out) { walk_lighting_texture(t, out); }),
+    walk("lighting-texture-17", "lighting-texture", "153 points by three blocks of 9 x 9, as printed",
+         [](const auto& t, auto& out) { walk_printed_texture(t, out); }),
+    walk("auto", "auto", "the bound, then phong: a triangle that does not fit",
+         [](const auto& t, auto& out) { walk_auto(t, kLargestError, out); }),
+    walk("auto-planes", "auto", "the bound, then planes: a triangle that fits",
+         [](const auto& t, auto& out) { walk_auto(t, kAnyError, out); }),
 };
 
 template <class T>

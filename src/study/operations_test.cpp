@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "blysk/methods.h"
 #include "shading/angular_reference.h"
 #include "shading/cubic_reference.h"
 #include "shading/normals_reference.h"
+#include "shading/row_normals_reference.h"
 #include "shading/symmetric_reference.h"
 #include "study/cost_model.h"
 #include "study/paper_tables.h"
@@ -127,8 +130,12 @@ TEST(operations, walks_show_what_their_method_does) {
                   {"symmetric-chebyshev", 0.0031, 1.2},
                   {"angular", 5e-4, 0.01},
                   {"fast-normalize", 0.0031, 1.2},
-                  {"half-sum", 0.004, 1.2},
-                  {"barycentric", 0.006, 1.9}};
+                  {"dichotomy-half-sum", 0.004, 1.2},
+                  {"barycentric", 0.006, 1.9},
+                  {"parallel", 5e-4, 0.01},
+                  {"parallel-nines", 0.03, 1},
+                  {"lighting-texture", 0.03, 1},
+                  {"lighting-texture-17", 0.03, 1}};
   for (const auto& e : expected) {
     Pixels<double> shown(t.rows);
     find_walk(e.name).run_exactly(t, shown);
@@ -143,6 +150,59 @@ TEST(operations, walks_show_what_their_method_does) {
   EXPECT_EQ(exact.all().size(), static_cast<std::size_t>(kAveragePixels));
 }
 
+TEST(operations, every_method_has_a_program) {
+  for (const Method& method : methods()) {
+    if (method.kind != MethodKind::shading) continue;
+    EXPECT_NE(std::ranges::find(walks(), method.name, &Walk::method), walks().end()) << method.name;
+  }
+}
+
+// A-buffer specification, C.8: one dot product, two parabolas, six vectors of six products and three sums,
+// of which the first one's three products with U_0 = 1 are none; the second vector by (10) and five
+// polynomials U besides.
+TEST(operations, row_of_nine) {
+  const auto in = [](double v) { return Counted::input(v); };
+  const Vec3<Counted> a = {in(0), in(0), in(1)}, b = {in(0.6), in(0), in(0.8)};
+  const Operations before = operations_so_far();
+  static_cast<void>(reference::chebyshev_row(kChebyshevPaper, a, b));
+  EXPECT_EQ(operations_so_far() - before, (Operations{.add = 2 + 2 * 2 + 6 + 6 * 3 + 5,
+                                                      .mul = 3 + 2 * 2 + 9 + 6 * 6 - 3 + 5,
+                                                      .shift = 1,
+                                                      .shift_bits = 1}));
+}
+
+// A highlight of shininess 256 does not fit a triangle whose normals are 20 degrees apart.
+TEST(operations, auto_is_one_of_its_two_ways) {
+  const WalkTriangle<double> t = average_triangle<double>();
+  const auto pixels = [&](const char* name) {
+    Pixels<double> out(t.rows);
+    find_walk(name).run_exactly(t, out);
+    return out;
+  };
+  const Pixels<double> phong = pixels("phong"), planes = pixels("gouraud-constant");
+  const Pixels<double> chosen = pixels("auto"), fitting = pixels("auto-planes");
+  for (std::size_t i = 0; i < phong.all().size(); ++i) {
+    EXPECT_EQ(chosen.all()[i].diffuse, phong.all()[i].diffuse);
+    EXPECT_EQ(chosen.all()[i].specular, phong.all()[i].specular);
+    EXPECT_NEAR(fitting.all()[i].diffuse, planes.all()[i].diffuse, 1e-15);
+    EXPECT_NEAR(fitting.all()[i].specular, planes.all()[i].specular, 1e-15);
+  }
+  const auto count = [](const char* name) { return count_operations(find_walk(name)); };
+  EXPECT_EQ(count("auto").pixel, count("phong").pixel);
+  EXPECT_GT(kPentium32.clocks(count("auto").triangle), kPentium32.clocks(count("phong").triangle));
+  EXPECT_EQ(count("auto-planes").pixel, count("gouraud-constant").pixel);
+}
+
+// The points of a texture take most of its clocks: 153 of them for a hundred pixels, or six.
+TEST(operations, points_of_textures) {
+  const StepCounts few = count_operations(find_walk("lighting-texture")),
+                   many = count_operations(find_walk("lighting-texture-17"));
+  EXPECT_EQ(many.triangle.sqrt, 5u);  // five of the nine corners of its blocks are made unit
+  EXPECT_GT(kPentium32.clocks(many.triangle), 153u * 8 * 11);
+  EXPECT_LT(kPentium32.clocks(few.triangle), kPentium32.clocks(many.triangle) / 15);
+  EXPECT_EQ(few.pixel.div + few.pixel.sqrt, 0u);
+}
+
 // The walks of rows against the closed forms that the kernels are held to.
 TEST(operations, walks_of_rows_are_their_reference_forms) {
   const WalkTriangle<double> t = average_triangle<double>();
@@ -151,6 +211,9 @@ TEST(operations, walks_of_rows_are_their_reference_forms) {
   find_walk("symmetric").run_exactly(t, symmetric);
   find_walk("symmetric-chebyshev").run_exactly(t, chebyshev);
   find_walk("angular").run_exactly(t, angular);
+  Pixels<double> parallel(t.rows), nines(t.rows);
+  find_walk("parallel").run_exactly(t, parallel);
+  find_walk("parallel-nines").run_exactly(t, nines);
   for (std::size_t r = 0; r < t.rows.size(); ++r) {
     const PixelRow& row = t.rows[r];
     if (row.steps() == 0) continue;
@@ -161,6 +224,14 @@ TEST(operations, walks_of_rows_are_their_reference_forms) {
       EXPECT_NEAR(symmetric.at(r, x).diffuse, exact.cosine(x, reference::shift_root), 1e-12);
       EXPECT_NEAR(chebyshev.at(r, x).diffuse, exact.cosine(x, reference::chebyshev_root), 1e-12);
       EXPECT_NEAR(angular.at(r, x).diffuse, arc.expanded(x), 2e-5);  // its arc cosine is a polynomial
+      EXPECT_NEAR(parallel.at(r, x).diffuse,
+                  dot(reference::arc(a, b, static_cast<double>(x) / row.steps()), t.light), 1e-12);
+    }
+    if (row.steps() < 8) continue;
+    const auto nine =
+        reference::chebyshev_row(kChebyshevPaper, a, normalize(normals.at(row.left + 8, row.y)));
+    for (int x = 0; x <= 8; ++x) {
+      EXPECT_NEAR(nines.at(r, x).diffuse, dot(nine[static_cast<std::size_t>(x)], t.light), 1e-12);
     }
   }
 }

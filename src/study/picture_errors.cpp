@@ -1,14 +1,15 @@
 #include "study/picture_errors.h"
 
+#include <filesystem>
 #include <utility>
 
+#include "blysk/model.h"
 #include "blysk/shapes.h"
 
 namespace blysk::study {
 namespace {
 
-Result<PictureScene> make(std::string name, const std::string& shape) {
-  Result<Scene> scene = make_shape(shape);
+Result<PictureScene> make(std::string name, Result<Scene> scene) {
   if (!scene) return scene.error();
   PictureScene made;
   made.name = std::move(name);
@@ -21,6 +22,13 @@ Result<PictureScene> make(std::string name, const std::string& shape) {
   return made;
 }
 
+Result<PictureScene> framed(Result<PictureScene> scene, bool small) {
+  if (!scene) return scene;
+  scene->options.width = small ? 320 : 1280;
+  scene->options.height = small ? 180 : 720;
+  return scene;
+}
+
 RenderOptions with_method(RenderOptions options, MethodKind kind, const std::string& method) {
   (kind == MethodKind::lobe ? options.lobe : options.shading) = method;
   return options;
@@ -30,7 +38,7 @@ RenderOptions with_method(RenderOptions options, MethodKind kind, const std::str
 
 Result<PictureScene> thesis_spheres(int detail, bool small) {
   Result<PictureScene> scene =
-      make("spheres " + std::to_string(detail), "spheres?detail=" + std::to_string(detail));
+      make("spheres " + std::to_string(detail), make_shape("spheres?detail=" + std::to_string(detail)));
   if (!scene) return scene.error();
   scene->options.width = small ? 250 : 1000;
   scene->options.height = small ? 100 : 400;
@@ -39,11 +47,19 @@ Result<PictureScene> thesis_spheres(int detail, bool small) {
 }
 
 Result<PictureScene> teapot(bool small) {
-  Result<PictureScene> scene = make("teapot", "teapot?detail=32");
-  if (!scene) return scene.error();
-  scene->options.width = small ? 320 : 1280;
-  scene->options.height = small ? 180 : 720;
-  return scene;
+  return framed(make("teapot", make_shape("teapot?detail=32")), small);
+}
+
+Result<PictureScene> model_picture(const std::string& model, const Limits& limits, bool small) {
+  ModelOptions options;
+  options.limits = limits;
+  Result<Scene> scene = load_model(model, options);
+  if (scene && scene->triangles() == 0) {
+    return Error{.code = ErrorCode::input, .message = "there are no triangles to draw", .source = model};
+  }
+  const bool shape = model.starts_with("shape:");
+  return framed(
+      make(shape ? model.substr(6) : std::filesystem::path(model).stem().string(), std::move(scene)), small);
 }
 
 Result<PictureErrors> picture_errors(const PictureScene& scene, MethodKind kind,

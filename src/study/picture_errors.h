@@ -21,6 +21,8 @@ struct PictureScene {
 /// linear on the screen.
 [[nodiscard]] Result<PictureScene> thesis_spheres(int detail, bool small);
 [[nodiscard]] Result<PictureScene> teapot(bool small);
+/// A file or "shape:..." as it is framed by default.
+[[nodiscard]] Result<PictureScene> model_picture(const std::string& model, const Limits& limits, bool small);
 
 /// A picture's error by method of `kind`, against the first of them; all else as the scene says.
 struct PictureErrors {

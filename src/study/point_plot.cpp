@@ -42,22 +42,47 @@ class Axis {
   double from_, to_, base_ = 10, low_ = 0, high_ = 1;
 };
 
-struct Label {
-  std::string text;
-  double x, y, shown_y;
+struct Box {
+  double left, top, right, bottom;
+
+  [[nodiscard]] bool meets(const Box& o) const {
+    return left < o.right && o.left < right && top < o.bottom && o.top < bottom;
+  }
 };
 
-// Labels one under the other where they would overlap.
-void spread(std::vector<Label>& labels) {
-  std::ranges::sort(labels,
-                    [](const Label& a, const Label& b) { return a.y < b.y || (a.y == b.y && a.x < b.x); });
+struct Label {
+  std::string text;
+  double x, y;    ///< of its point
+  double dx, dy;  ///< from there to the text's middle line, at its end next to the point
+  [[nodiscard]] Box box() const {
+    const double width = 7.2 * static_cast<double>(text.size()), from = x + dx - (dx < 0 ? width : 0);
+    return {from, y + dy - kLabelHeight / 2, from + width, y + dy + kLabelHeight / 2};
+  }
+};
+
+// Each label on the first place around its point where it meets no point, no other label and no axis.
+void place(std::vector<Label>& labels) {
+  constexpr double kRadius = 5, kBeside = 9;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     Label& l = labels[i];
-    l.shown_y = l.y;
-    for (std::size_t k = 0; k < i; ++k) {
-      const Label& other = labels[k];
-      const double apart = 6.6 * static_cast<double>(std::max(l.text.size(), other.text.size())) + 10;
-      if (std::abs(other.x - l.x) < apart) l.shown_y = std::max(l.shown_y, other.shown_y + kLabelHeight);
+    const auto is_free = [&] {
+      const Box box = l.box();
+      if (box.left < kLeft || box.right > kWidth || box.top < kTop - kLabelHeight ||
+          box.bottom > kHeight - kBottom)
+        return false;
+      for (std::size_t k = 0; k < labels.size(); ++k) {
+        const Label& o = labels[k];
+        const Box point = {o.x - kRadius, o.y - kRadius, o.x + kRadius, o.y + kRadius};
+        if (box.meets(point) || (k < i && box.meets(o.box()))) return false;
+      }
+      return true;
+    };
+    for (int row = 0; row < 40; ++row) {  // 0, one up, one down, two up, ...
+      l.dy = (row % 2 == 1 ? -1 : 1) * ((row + 1) / 2) * (kLabelHeight - 1);
+      l.dx = kBeside;
+      if (is_free()) break;
+      l.dx = -kBeside;
+      if (is_free()) break;
     }
   }
 }
@@ -92,13 +117,14 @@ std::string point_plot(const std::vector<PlotPoint>& points, const PointPlotOpti
                   "text-anchor=\"middle\" fill=\"#222222\" transform=\"translate(18 " +
                       svg_number(kHeight / 2) + ") rotate(-90)\"");
   std::vector<Label> labels;
-  for (const PlotPoint& p : points) labels.push_back({p.label, x.at(p.x), y.at(shown_y(p)), 0});
-  spread(labels);
+  for (const PlotPoint& p : points) labels.push_back({p.label, x.at(p.x), y.at(shown_y(p)), 0, 0});
+  place(labels);
   for (const Label& l : labels) {
-    if (l.shown_y != l.y) svg += svg_line(l.x, l.y, l.x + 8, l.shown_y, "#aaaaaa");
+    if (l.dy != 0) svg += svg_line(l.x, l.y, l.x + l.dx, l.y + l.dy, "#aaaaaa");
     svg +=
         "<circle cx=\"" + svg_number(l.x) + "\" cy=\"" + svg_number(l.y) + "\" r=\"4\" fill=\"#1f5fa8\"/>\n";
-    svg += svg_text(l.x + 9, l.shown_y + 4, l.text, "fill=\"#1f2f4f\"");
+    svg += svg_text(l.x + l.dx, l.y + l.dy + 4, l.text,
+                    l.dx < 0 ? "text-anchor=\"end\" fill=\"#1f2f4f\"" : "fill=\"#1f2f4f\"");
   }
   return svg + "</svg>\n";
 }

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
+#include <cmath>
+#include <regex>
+
 namespace blysk::study {
 namespace {
 
@@ -28,14 +32,51 @@ TEST(point_plot, nothing_to_show) {
   EXPECT_EQ(count_of(point_plot({{"a", 0, 1}}, {"title", "cost", "error", 0}), "<circle"), 0u);
 }
 
-TEST(point_plot, labels_do_not_overlap) {
-  const std::string svg =
-      point_plot({{"one", 2, 1e-3}, {"two", 2, 1e-3}, {"far", 20, 1e-6}}, {"title", "cost", "error", 1e-8});
-  const auto y_of = [&](std::string_view label) {
-    const std::size_t end = svg.rfind("y=\"", svg.find(std::string(label) + "</text>"));
-    return std::stod(svg.substr(end + 3));
-  };
-  EXPECT_GE(std::abs(y_of(">one") - y_of(">two")), 10);
+// Places of the texts and circles, out of the SVG.
+struct Mark {
+  double x, y;
+  std::string text;
+  bool at_end;  // the text ends at x
+};
+
+std::vector<Mark> marks_of(const std::string& svg) {
+  std::vector<Mark> marks;
+  const std::regex mark(R"re(<(?:circle cx|text x)="([^"]+)" (?:c?y)="([^"]+)"([^>]*)>([^<]*))re");
+  for (std::sregex_iterator i(svg.begin(), svg.end(), mark), end; i != end; ++i) {
+    marks.push_back({std::stod((*i)[1]), std::stod((*i)[2]),
+                     (*i)[4].str().substr(0, (*i)[4].str().find('\n')),
+                     (*i)[3].str().find("\"end\"") != std::string::npos});
+  }
+  return marks;
+}
+
+TEST(point_plot, labels_meet_no_point_and_no_label) {
+  const std::string svg = point_plot({{"one", 2, 1e-3},
+                                      {"two", 2, 1e-3},
+                                      {"a-long-label", 2.1, 1e-3},
+                                      {"on-the-floor", 5, 0},
+                                      {"beside", 5.2, 0},
+                                      {"far-right", 20, 1e-6}},
+                                     {"title", "cost", "error", 1e-8});
+  const std::vector<Mark> marks = marks_of(svg);
+  const auto is_label = [](const Mark& m) { return m.text.size() > 2 && std::isalpha(m.text[0]) != 0; };
+  int labels = 0;
+  for (const Mark& l : marks) {
+    if (!is_label(l) || l.text == "title" || l.text == "cost" || l.text == "error") continue;
+    ++labels;
+    const double width = 7 * static_cast<double>(l.text.size()), left = l.at_end ? l.x - width : l.x;
+    for (const Mark& o : marks) {
+      if (&o == &l) continue;
+      if (o.text.empty()) {  // a circle
+        EXPECT_FALSE(o.x > left && o.x < left + width && std::abs(o.y - (l.y - 4)) < 7) << l.text;
+      } else if (is_label(o)) {
+        const double other = 7 * static_cast<double>(o.text.size()), from = o.at_end ? o.x - other : o.x;
+        EXPECT_FALSE(from < left + width && left < from + other && std::abs(o.y - l.y) < 10)
+            << l.text << " and " << o.text;
+      }
+    }
+  }
+  EXPECT_EQ(labels, 6);
 }
 
 }  // namespace

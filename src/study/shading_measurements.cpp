@@ -1,8 +1,10 @@
 #include "study/shading_measurements.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "blysk/methods.h"
+#include "study/cells.h"
 #include "study/clock.h"
 #include "study/cost_model.h"
 
@@ -12,6 +14,11 @@ namespace {
 constexpr int kTriangleSizes[] = {1, 4, 16, 100};
 constexpr int kSpans[] = {4, 8, 16, 32, 64, 128, 256};
 constexpr int kDetails[] = {10, 25, 50, 100}, kThesisDetail = 50;
+struct LobeRun {
+  int span;
+  float shininess;
+};
+constexpr LobeRun kLobeRuns[] = {{64, 50}, {256, 50}, {256, 255}, {256, 50.5f}};
 constexpr int kSide = 256, kSmallSide = 64, kSpanWidth = 512;
 
 std::optional<std::size_t> index_of(const std::vector<std::string>& names, std::string_view name) {
@@ -43,6 +50,38 @@ std::vector<SpeedScene> speed_scenes(bool quick) {
   return scenes;
 }
 
+using Tell = std::function<void(const std::string& what)>;
+
+Status add_errors(const Result<PictureScene>& scene, const Rounds& rounds, const Tell& tell,
+                  ShadingMeasurements& m) {
+  if (!scene) return scene.error();
+  tell("comparing pictures, " + scene->name);
+  Result<PictureErrors> errors = picture_errors(*scene, MethodKind::shading, m.variants, rounds);
+  if (!errors) return errors.error();
+  m.errors.push_back({scene->name, std::move(*errors)});
+  return Done{};
+}
+
+Status measure_pictures(const StudyOptions& options, const std::vector<PictureScene>& models,
+                        const Tell& tell, ShadingMeasurements& m) {
+  const Rounds frames = options.quick ? Rounds{1, 0.0} : Rounds{25, 0.0}, untimed = {0, 0.0};
+  for (const int detail : kDetails) {
+    const Result<PictureScene> scene = thesis_spheres(detail, options.quick);
+    const bool thesis = detail == kThesisDetail;
+    if (const Status s = add_errors(scene, thesis ? frames : untimed, tell, m); !s) return s;
+    if (!thesis) continue;
+    Result<PictureErrors> of_lobes = picture_errors(*scene, MethodKind::lobe, m.lobes, untimed);
+    if (!of_lobes) return of_lobes.error();
+    m.lobe_errors = {scene->name, std::move(*of_lobes)};
+  }
+  if (const Status s = add_errors(teapot(options.quick), frames, tell, m); !s) return s;
+  const Rounds fewer = options.quick ? frames : Rounds{5, 0.0};
+  for (const PictureScene& model : models) {
+    if (const Status s = add_errors(model, fewer, tell, m); !s) return s;
+  }
+  return Done{};
+}
+
 }  // namespace
 
 std::optional<std::size_t> ShadingMeasurements::method(std::string_view name) const {
@@ -67,6 +106,15 @@ double ShadingMeasurements::walk_gain(std::string_view from, std::string_view to
   return cycles(from) / cycles(to);
 }
 
+std::string lobe_place(const LobeColumn& column) {
+  return "span " + std::to_string(column.span) +
+         ", n = " + significant_text(static_cast<double>(column.shininess), 3);
+}
+
+double ShadingMeasurements::lobe_gain(const LobeColumn& column, std::string_view lobe) const {
+  return column.cost.gains[*index_of(lobes, lobe)];
+}
+
 double ShadingMeasurements::worst_nmse(std::size_t variant) const {
   double worst = 0;
   for (const ErrorColumn& column : errors) worst = std::max(worst, column.errors.differences[variant].nmse);
@@ -78,13 +126,19 @@ Result<ShadingMeasurements> measure_shading(const StudyOptions& options) {
     if (options.progress) options.progress(what);
   };
   const Rounds rounds = options.quick ? Rounds{3, 0.02} : Rounds{};
-  const Rounds frames = options.quick ? Rounds{1, 0.0} : Rounds{25, 0.0};
   const Rounds few = options.quick ? Rounds{1, 0.0} : Rounds{5, 0.0};
   ShadingMeasurements m;
   list_methods(m);
   m.clock_ghz = clock_hz() * 1e-9;
   m.best = isa_name(available_isas().back());
 
+  std::vector<PictureScene> models;  // read first: one that cannot be is told at once
+  for (const std::string& model : options.models) {
+    tell("nothing yet, reading " + model);
+    Result<PictureScene> scene = model_picture(model, options.limits, options.quick);
+    if (!scene) return scene.error();
+    models.push_back(std::move(*scene));
+  }
   tell("counting operations");
   for (const Walk& walk : walks()) m.counts.emplace(walk.name, count_operations(walk));
   tell("timing the papers' programs");
@@ -108,27 +162,14 @@ Result<ShadingMeasurements> measure_shading(const StudyOptions& options) {
   matt.options.lighting = "lambert";
   m.diffuse_speeds = shading_cost(matt, m.variants, Isa::best, rounds);
   m.small_speeds = shading_cost(scene_of("100 pixels"), m.variants, Isa::best, rounds);
-  m.lobe_speeds = lobe_cost(m.lobes, rounds);
-
-  for (const int detail : kDetails) {
-    tell("comparing pictures of spheres, detail " + std::to_string(detail));
-    const Result<PictureScene> scene = thesis_spheres(detail, options.quick);
-    if (!scene) return scene.error();
-    const Rounds timed = detail == kThesisDetail ? frames : Rounds{0, 0.0};
-    Result<PictureErrors> errors = picture_errors(*scene, MethodKind::shading, m.variants, timed);
-    if (!errors) return errors.error();
-    m.errors.push_back({scene->name, std::move(*errors)});
-    if (detail != kThesisDetail) continue;
-    Result<PictureErrors> of_lobes = picture_errors(*scene, MethodKind::lobe, m.lobes, Rounds{0, 0.0});
-    if (!of_lobes) return of_lobes.error();
-    m.lobe_errors = {scene->name, std::move(*of_lobes)};
+  for (const LobeRun& run : kLobeRuns) {
+    m.lobe_speeds.push_back({run.span, run.shininess,
+                             lobe_cost(spans_of(run.span, options.quick ? kSide : kSpanWidth, kSide / 4),
+                                       run.shininess, m.lobes, rounds)});
   }
-  tell("comparing pictures of the teapot");
-  const Result<PictureScene> pot = teapot(options.quick);
-  if (!pot) return pot.error();
-  Result<PictureErrors> errors = picture_errors(*pot, MethodKind::shading, m.variants, frames);
-  if (!errors) return errors.error();
-  m.errors.push_back({pot->name, std::move(*errors)});
+
+  const Status status = measure_pictures(options, models, tell, m);
+  if (!status) return status.error();
   return m;
 }
 

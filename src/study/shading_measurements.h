@@ -19,6 +19,16 @@ struct SpeedColumn {
   ShadingCost best, scalar;  ///< scalar is empty where it was not built, or not asked for
 };
 
+/// Lobes on spans of so many pixels. The power of a whole shininess is products, of any other polynomials.
+struct LobeColumn {
+  int span;
+  float shininess;
+  ShadingCost cost;
+};
+
+/// "span 64, n = 50".
+[[nodiscard]] std::string lobe_place(const LobeColumn& column);
+
 struct ErrorColumn {
   std::string scene;
   PictureErrors errors;
@@ -35,7 +45,7 @@ struct ShadingMeasurements {
   std::vector<double> rows;                               ///< cycles per pixel by QuadraticForm
   std::vector<double> normalisations;                     ///< cycles by Normalisation
   std::vector<double> plain_lobes;                        ///< cycles by CountedLobe
-  ShadingCost lobe_speeds;                                ///< on spans of 64 pixels
+  std::vector<LobeColumn> lobe_speeds;                    ///< span 64, shininess 50 first
   ShadingCost variant_speeds;                             ///< on spans of 64 pixels
   ShadingCost small_speeds;                               ///< of variants on triangles of 100 pixels
   ShadingCost diffuse_speeds;                             ///< the same with Lambert's light
@@ -51,6 +61,8 @@ struct ShadingMeasurements {
   [[nodiscard]] std::uint64_t clocks(std::string_view walk) const;
   /// How many times as fast as `from` the walk `to` is here.
   [[nodiscard]] double walk_gain(std::string_view from, std::string_view to) const;
+  /// How many times as fast as the exact power a lobe is.
+  [[nodiscard]] double lobe_gain(const LobeColumn& column, std::string_view lobe) const;
   /// Largest NMSE of a variant over the scenes.
   [[nodiscard]] double worst_nmse(std::size_t variant) const;
 };

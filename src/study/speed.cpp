@@ -170,8 +170,9 @@ std::vector<double> plain_lobe_cost(const Rounds& rounds) {
   return cost_of(runs, kCosines, rounds).cycles;
 }
 
-ShadingCost lobe_cost(const std::vector<std::string>& lobes, const Rounds& rounds) {
-  SpeedScene scene = spans_of(64, 256, 256);
+ShadingCost lobe_cost(SpeedScene scene, float shininess, const std::vector<std::string>& lobes,
+                      const Rounds& rounds) {
+  scene.scene.materials.at(0).shininess = shininess;
   std::vector<std::unique_ptr<Pipeline>> pipelines;
   std::vector<std::function<void()>> runs;
   const MethodChoice phong = *choose_method(MethodKind::shading, "phong");

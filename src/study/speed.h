@@ -47,7 +47,8 @@ struct WalkCost {
 /// Lobes of shininess 50 over many cosines likewise: cycles by every CountedLobe.
 [[nodiscard]] std::vector<double> plain_lobe_cost(const Rounds& rounds);
 
-/// Specular lobes in the phong kernel on large triangles, best instruction set.
-[[nodiscard]] ShadingCost lobe_cost(const std::vector<std::string>& lobes, const Rounds& rounds);
+/// Specular lobes in the phong kernel at one shininess, best instruction set.
+[[nodiscard]] ShadingCost lobe_cost(SpeedScene scene, float shininess, const std::vector<std::string>& lobes,
+                                    const Rounds& rounds);
 
 }  // namespace blysk::study

@@ -54,19 +54,17 @@ void walk_gouraud(const WalkTriangle<T>& t, Out& out) {
   }
 }
 
-/// One increment for all rows.
+/// The plane through the light of the corners: one increment for all rows.
 template <class T, class Out>
-void walk_gouraud_constant(const WalkTriangle<T>& t, Out& out) {
-  out.begin(Step::triangle);
+void walk_planes(const WalkTriangle<T>& t, const Terms<T> (&lit)[3], Out& out) {
   std::array<reference::LitCornerOf<T>, 3> diffuse, specular;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Terms<T> lit = light_unit(t, t.normal[k]);
-    diffuse[k] = {t.corner[k].x, t.corner[k].y, lit.diffuse};
-    specular[k] = {t.corner[k].x, t.corner[k].y, lit.specular};
+    diffuse[k] = {t.corner[k].x, t.corner[k].y, lit[k].diffuse};
+    specular[k] = {t.corner[k].x, t.corner[k].y, lit[k].specular};
   }
   const auto d = reference::constant_increments<T>(diffuse), s = reference::constant_increments<T>(specular);
   const Terms<T> step = {d.dx, s.dx}, down = {d.dy, s.dy};
-  Terms<T> below_corner = {diffuse[0].intensity, specular[0].intensity};
+  Terms<T> below_corner = lit[0];
   for (std::size_t r = 0; r < t.rows.size(); ++r) {
     const PixelRow& row = t.rows[r];
     out.begin(Step::row);
@@ -80,6 +78,12 @@ void walk_gouraud_constant(const WalkTriangle<T>& t, Out& out) {
       at += step;
     }
   }
+}
+
+template <class T, class Out>
+void walk_gouraud_constant(const WalkTriangle<T>& t, Out& out) {
+  out.begin(Step::triangle);
+  walk_planes(t, {light_unit(t, t.normal[0]), light_unit(t, t.normal[1]), light_unit(t, t.normal[2])}, out);
 }
 
 /// Forward differences of the second-order surface (form fwd of section 4.3).

@@ -1,8 +1,9 @@
 // study/walks_rows.h - walks along a row between its two unit end normals: chapters 3.1 and 3.2 of the
-// thesis.
+// thesis, and the per-fragment paper's rows.
 #pragma once
 
 #include "shading/normals_reference.h"
+#include "shading/row_normals_reference.h"
 #include "shading/symmetric_reference.h"
 #include "study/walk.h"
 
@@ -145,6 +146,69 @@ void walk_angular(const WalkTriangle<T>& t, Out& out) {
       out.put(r, x, from_dots(diffuse.at, specular.at));
       diffuse.next(twice);
       specular.next(twice);
+    }
+  }
+}
+
+/// One polynomial of the place between the ends of a row (ours, for the per-fragment paper's of nine pixels).
+template <class T, class Out>
+void walk_parallel(const WalkTriangle<T>& t, Out& out) {
+  out.begin(Step::triangle);
+  const auto normals = reference::linear_normals<T>(t.corner, t.normal);
+  for (std::size_t r = 0; r < t.rows.size(); ++r) {
+    const PixelRow& row = t.rows[r];
+    out.begin(Step::row);
+    const T y = row_number<T>(row.y);
+    const Vec3<T> a = normalize(normals.at(row_number<T>(row.left), y));
+    if (row.steps() == 0) {
+      out.put(r, 0, clamped(light_unit(t, a)));
+      continue;
+    }
+    const Vec3<T> b = normalize(normals.at(row_number<T>(row.right), y));
+    const reference::ArcOf<T> arc(a, b);
+    const T step = 2 / row_number<T>(row.steps());
+    T place = T(-1);
+    out.begin(Step::pixel);
+    for (int x = 0; x <= row.steps(); ++x) {
+      out.put(r, x, clamped(light_unit(t, arc.at(place))));
+      place += step;
+    }
+  }
+}
+
+/// Nine pixels at a time by the printed Chebyshev polynomials; what is left of a row by the general form.
+template <class T, class Out>
+void walk_nines(const WalkTriangle<T>& t, Out& out) {
+  out.begin(Step::triangle);
+  const auto normals = reference::linear_normals<T>(t.corner, t.normal);
+  const Vec3<T> eight_steps = normals.horizontal * T(8);
+  for (std::size_t r = 0; r < t.rows.size(); ++r) {
+    const PixelRow& row = t.rows[r];
+    out.begin(Step::row);
+    Vec3<T> raw = normals.at(row_number<T>(row.left), row_number<T>(row.y));
+    Vec3<T> a = normalize(raw);
+    out.begin(Step::pixel);
+    out.put(r, 0, clamped(light_unit(t, a)));
+    for (int x = 0; x < row.steps(); x += 8) {
+      const int rest = std::min(row.steps() - x, 8);
+      out.begin(Step::row);
+      raw = rest == 8 ? raw + eight_steps : raw + normals.horizontal * row_number<T>(rest);
+      const Vec3<T> b = normalize(raw);
+      if (rest == 8) {
+        const auto nine = reference::chebyshev_row(kChebyshevPaper, a, b);
+        out.begin(Step::pixel);
+        for (int k = 1; k <= 8; ++k) out.put(r, x + k, clamped(light_unit(t, nine[std::size_t(k)])));
+      } else {
+        const reference::ArcOf<T> arc(a, b);
+        const T step = 2 / row_number<T>(rest);
+        T place = T(-1);
+        out.begin(Step::pixel);
+        for (int k = 1; k <= rest; ++k) {
+          place += step;
+          out.put(r, x + k, clamped(light_unit(t, arc.at(place))));
+        }
+      }
+      a = b;
     }
   }
 }

@@ -146,12 +146,17 @@ class Page(html.parser.HTMLParser):
     def __init__(self, text):
         super().__init__()
         self.pictures, self.open, self.text, self.names = [], [], "", []
+        self.ids, self.targets = set(), set()
         self.feed(text)
         assert not self.open, self.open
+        assert self.targets <= self.ids, self.targets
 
     def handle_starttag(self, tag, attributes):
         values = dict(attributes)
         self.names.append(tag)
+        self.ids.add(values.get("id"))
+        if values.get("href", "").startswith("#"):
+            self.targets.add(values.pop("href")[1:])
         for name in ("src", "href", "data", "action"):
             assert values.get(name, "data:").startswith("data:"), values
         if tag == "img":

@@ -4,10 +4,12 @@ import json
 import math
 import os
 import re
+import subprocess
+import sys
 import unittest
 import xml.etree.ElementTree
 
-from command import REPOSITORY, CommandTest, read_png
+from command import BLYSK, REPOSITORY, CommandTest, read_png
 
 VERDICTS = {"holds", "holds in part", "does not hold"}
 
@@ -24,7 +26,8 @@ class Replicate(CommandTest):
         (study,) = data["studies"]
         self.assertEqual(study["study"], "shading")
         tables = {t["id"]: t for section in study["sections"] for t in section["tables"]}
-        for name in ("2.1", "4.2", "4.3", "4.4", "4.5", "programs", "speed", "gain", "speed-scalar", "errors", "lobes"):
+        for name in ("2.1", "4.2", "4.3", "4.4", "4.5", "programs", "speed", "gain", "speed-scalar", "lobe-speed", "errors",
+                     "lobes"):
             table = tables[name]
             self.assertTrue(table["rows"], name)
             for row in table["rows"]:
@@ -50,10 +53,11 @@ class Replicate(CommandTest):
 
     def test_markdown_and_plots(self):
         os.mkdir(self.path("plots"))
-        output, errors = self.replicate("--markdown", "-o", "plots")
+        output, errors = self.replicate("shape:torus", "--markdown", "-o", "plots")
         self.assertEqual(errors, "")
         page = output.decode()
         self.assertTrue(page.startswith("# Replication\n"))
+        self.assertRegex(page, r"\| method \|.*\| torus \|.*\| frame gain, torus \|")
         self.assertRegex(page, r"\ntimes of|; times of \d{4}-\d\d-\d\d, ")
         columns = None
         for line in page.splitlines():
@@ -96,7 +100,7 @@ class Replicate(CommandTest):
         self.assertIn("--json", self.fails(2, "replicate", "--json", "--markdown"))
         self.assertIn("--study", self.fails(2, "replicate", "--study", "nothing"))
         self.assertIn("abuffer", self.fails(2, "replicate", "--scenes", "grass"))
-        self.assertIn("abuffer", self.fails(2, "replicate", "square.obj"))
+        self.assertIn("missing.obj", self.fails(3, "replicate", "--study", "shading", "--quick", "missing.obj"))
         self.assertIn("create it", self.fails(4, "replicate", "--quick", "-o", "nowhere"))
 
     def test_every_shading_method_has_its_page(self):
@@ -105,6 +109,9 @@ class Replicate(CommandTest):
             for page in (f"texts/{name}.md", f"{name}.md"):
                 path = os.path.join(REPOSITORY, "docs", "methods", page)
                 self.assertTrue(os.path.exists(path), f"{page} is missing: write texts/{name}.md, run tools/method-pages")
+        tool = os.path.join(REPOSITORY, "tools", "method-pages")
+        done = subprocess.run([sys.executable, "-B", tool, "--check", BLYSK], stderr=subprocess.PIPE, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
 
 
 if __name__ == "__main__":
