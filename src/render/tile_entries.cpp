@@ -61,4 +61,11 @@ void gather_entries(const FramePlan& plan, const TileJob& job, std::span<const S
   }
 }
 
+void count_dots(const TileJob& job, std::uint32_t* counts) {
+  for (int i = 0; i < job.bins_count; ++i) {
+    for_each<DotEntry>(job.bins[i][bin_index(job.tile, Stream::dot)],
+                       [&](const DotEntry& e) { ++counts[e.at]; });
+  }
+}
+
 }  // namespace blysk
