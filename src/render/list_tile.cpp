@@ -98,6 +98,8 @@ void ListTile::add(const GlassEntry& entry, const TileJob& job, std::uint32_t nu
                 .alpha = entry.opacity,
                 .id = number,
                 .object = object};
+  TriangleOpacity varying;
+  if (entry.varying != nullptr) varying = triangle_opacity(*entry.varying, job.vertices, t.id);
   const auto first = [](std::int32_t low, int start) { return std::max((low >> kSubpixelBits) - start, 0); };
   const auto last = [](std::int32_t high, int start, int count) {
     return std::min((high >> kSubpixelBits) - start, count - 1);
@@ -108,6 +110,8 @@ void ListTile::add(const GlassEntry& entry, const TileJob& job, std::uint32_t nu
     for (int x = first(left, job.x); x <= last(right, job.x, job.width); ++x) {
       f.mask = coverage.mask(job.x + x, job.y + y);
       if (f.mask == 0) continue;
+      if (entry.varying != nullptr) f.alpha = opacity_at(varying, job.x + x, job.y + y, f.mask);
+      if (f.alpha == 0) continue;
       f.z = static_cast<float>(plane.at(job.x + x, job.y + y));
       const auto pixel = static_cast<std::uint32_t>(y * kTileSize + x);
       waiting_.push_back({t.id, pixel, f});

@@ -140,7 +140,7 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
     job.tiles_x = tiles_x;
     job.drop = p.drop;
     job.sampling = plan.sampling;
-    job.transparent = p.opacity < 1;
+    job.transparent = p.transparent();
     job.owner = &w.bins;
     job.bins = w.bins.bins();
     job.rest = w.rest.data();

@@ -21,15 +21,21 @@ Span reached(const std::int32_t (&v)[3], int start, int count) {
   return {std::max((low >> kSubpixelBits) - start, 0), std::min((high >> kSubpixelBits) - start, count - 1)};
 }
 
-void count(const LargeEntry& t, const TileJob& job, const antialias::SamplePattern& pattern,
+void count(const GlassEntry& entry, const TileJob& job, const antialias::SamplePattern& pattern,
            std::uint32_t* counts) {
+  const LargeEntry& t = entry.triangle;
   const antialias::TriangleCoverage coverage({{{t.x[0], t.y[0]}, {t.x[1], t.y[1]}, {t.x[2], t.y[2]}}},
                                              pattern);
   if (coverage.empty()) return;
+  TriangleOpacity varying;
+  if (entry.varying != nullptr) varying = triangle_opacity(*entry.varying, job.vertices, t.id);
   const Span rows = reached(t.y, job.y, job.height), columns = reached(t.x, job.x, job.width);
   for (int y = rows.first; y <= rows.last; ++y) {
     for (int x = columns.first; x <= columns.last; ++x) {
-      counts[y * kTileSize + x] += coverage.mask(job.x + x, job.y + y) != 0 ? 1 : 0;
+      const antialias::Mask mask = coverage.mask(job.x + x, job.y + y);
+      const bool clear =
+          mask == 0 || (entry.varying != nullptr && opacity_at(varying, job.x + x, job.y + y, mask) == 0);
+      counts[y * kTileSize + x] += clear ? 0 : 1;
     }
   }
 }
@@ -66,7 +72,7 @@ void count_generated(const FramePlan& plan, const TileJob& job, std::vector<Glas
   const antialias::SamplePattern& pattern =
       plan.sampling == Sampling::samples ? antialias::kGrid16 : antialias::kCentre;
   gather_entries(plan, job, kAll, entries);
-  for (const GlassEntry& e : entries) count(e.triangle, job, pattern, counts.generated);
+  for (const GlassEntry& e : entries) count(e, job, pattern, counts.generated);
   count_dots(job, counts.generated);
 }
 
