@@ -106,13 +106,24 @@ std::vector<Option> output_options() {
        .type = Type::choices,
        .value = "LIST",
        .group = Group::output,
-       .choices = {"depth", "normal", "id"},
+       .choices = {"depth", "normal", "id", "fragments", "coverage"},
        .without = "none",
        .example = "depth,normal",
+       .help = "further pictures, written beside OUT as NAME.depth.png and so on: depth 0 near to 1 far, "
+               "world-space normals, triangle ids counted from 1, red being their lowest byte, how many "
+               "fragments "
+               "each pixel holds, in false colours with a key, and the share of its samples that anything "
+               "covers"},
+      {.name = "aov-format",
+       .type = Type::choices,
+       .value = "LIST",
+       .group = Group::output,
+       .choices = {"png", "pfm", "csv"},
+       .without = "png; pfm where OUT is one",
+       .example = "png,csv",
        .help =
-           "further pictures, written beside OUT as NAME.depth.png and so on (.pfm where OUT is .pfm, which "
-           "keeps the numbers exact): depth 0 near to 1 far, world-space normals, and triangle ids counted "
-           "from 1, red being their lowest byte"},
+           "how --aov is written: as pictures to look at, or as exact numbers: floats, or text with a line "
+           "for each row of the picture, its numbers separated by commas (of normals three a pixel)"},
       {.name = "difference",
        .type = Type::path,
        .value = "OUT",
@@ -515,6 +526,10 @@ std::vector<Option> report_options() {
        .group = Group::work,
        .users = kReplicate,
        .help = "small pictures, few repetitions: to see that it works; the times mean little"},
+      {.name = "statistics",
+       .group = Group::report,
+       .help = "count the fragments of every pixel, hidden ones too, and tell how they are distributed, in "
+               "words and by --json; the count takes time, which the times hold"},
       {.name = "print",
        .group = Group::report,
        .users = kVerify,

@@ -24,31 +24,26 @@ Result<PictureFormat> format_of(const Arguments& arguments, const std::string& p
   return name == "png" ? PictureFormat::png : name == "ppm" ? PictureFormat::ppm : PictureFormat::pfm;
 }
 
-// Ids as colours, the lowest byte in red.
-Image id_image(const Frame& frame) {
-  Image image;
-  image.resize(frame.image.width, frame.image.height);
-  std::ranges::transform(frame.id, image.pixels.begin(), [](std::uint32_t id) { return id | 0xff000000u; });
-  return image;
-}
-
-FloatImage id_numbers(const Frame& frame) {
-  FloatImage image;
-  image.width = frame.image.width;
-  image.height = frame.image.height;
-  image.values.resize(frame.id.size());
-  std::ranges::transform(frame.id, image.values.begin(),
-                         [](std::uint32_t id) { return static_cast<float>(id); });
-  return image;
-}
-
-Status write_id(const Frame& frame, const Outputs& outputs, PictureOptions options) {
-  const std::string path = aov_path(outputs, "id");
-  if (outputs.format == PictureFormat::pfm) {
-    return write_picture(id_numbers(frame), path, PictureFormat::pfm, options);
+// From --aov and --aov-format.
+Status read_planes(const Arguments& arguments, Outputs& outputs) {
+  const Value* planes = arguments.find("aov");
+  if (planes == nullptr) {
+    return arguments.has("aov-format")
+               ? Status(usage_error("--aov-format", "says how --aov is written; give it"))
+               : Done{};
   }
-  options.alpha = false;
-  return write_picture(id_image(frame), path, PictureFormat::png, options);
+  if (outputs.to_stdout()) return usage_error("--aov", "stands beside a file, not beside standard output");
+  for (const std::string& name : split(planes->text, ',')) {
+    if (!outputs.wants(name)) outputs.planes.push_back(name);
+  }
+  if (!arguments.has("aov-format")) {
+    outputs.plane_formats = {outputs.format == PictureFormat::pfm ? PlaneFormat::pfm : PlaneFormat::png};
+    return Done{};
+  }
+  for (const std::string& name : split(arguments.text("aov-format"), ',')) {
+    if (!outputs.wants(plane_format(name))) outputs.plane_formats.push_back(plane_format(name));
+  }
+  return Done{};
 }
 
 }  // namespace
@@ -81,14 +76,7 @@ Result<Outputs> outputs_of(const Arguments& arguments) {
   if (!format) return format.error();
   outputs.format = *format;
 
-  if (const Value* aov = arguments.find("aov")) {
-    for (const std::string& name : split(aov->text, ',')) {
-      outputs.depth |= name == "depth";
-      outputs.normal |= name == "normal";
-      outputs.id |= name == "id";
-    }
-    if (outputs.to_stdout()) return usage_error("--aov", "stands beside a file, not beside standard output");
-  }
+  if (const Status status = read_planes(arguments, outputs); !status) return status.error();
   if (outputs.to_stdout()) {
     if (arguments.has("json")) return usage_error("--json", "cannot share standard output with the picture");
     return outputs;
@@ -97,32 +85,52 @@ Result<Outputs> outputs_of(const Arguments& arguments) {
   return outputs;
 }
 
-std::string aov_path(const Outputs& outputs, const std::string& aov) {
-  std::filesystem::path path = outputs.path;
-  path.replace_extension();
-  return path.string() + "." + aov + (outputs.format == PictureFormat::pfm ? ".pfm" : ".png");
+bool Outputs::wants(std::string_view plane) const { return std::ranges::find(planes, plane) != planes.end(); }
+
+bool Outputs::wants(PlaneFormat plane_format) const {
+  return std::ranges::find(plane_formats, plane_format) != plane_formats.end();
 }
 
-Status check_ids(std::uint64_t triangles, const Outputs& outputs) {
-  if (!outputs.id || triangles <= kMaxId) return Done{};
-  return Error{.code = ErrorCode::limit,
-               .message = "pictures of ids hold " + count_text(kMaxId) + " triangles, the models have " +
-                          count_text(triangles),
-               .source = "--aov id"};
+std::string plane_path(const Outputs& outputs, std::string_view plane, PlaneFormat format) {
+  std::filesystem::path path = outputs.path;
+  path.replace_extension();
+  return path.string() + "." + std::string(plane) + "." + std::string(plane_format_name(format));
+}
+
+void want_planes(const Outputs& outputs, RenderOptions& options) {
+  options.want_depth = outputs.wants("depth");
+  options.want_normal = outputs.wants("normal");
+  options.want_id = outputs.wants("id");
+  options.want_fragments = outputs.wants("fragments");
+  options.want_coverage = outputs.wants("coverage");
+}
+
+Status check_planes(std::uint64_t triangles, const RenderOptions& options, const Outputs& outputs) {
+  const bool picture = outputs.wants(PlaneFormat::png);
+  if (outputs.wants("id") && triangles > kMaxId && (picture || outputs.wants(PlaneFormat::pfm))) {
+    return Error{.code = ErrorCode::limit,
+                 .message = "pictures of ids hold " + count_text(kMaxId) + " triangles, the models have " +
+                            count_text(triangles) + "; --aov-format csv holds them all",
+                 .source = "--aov id"};
+  }
+  if (outputs.wants("fragments") && picture && options.width > widest_fragment_picture()) {
+    return Error{.code = ErrorCode::limit,
+                 .message = "beside a picture wider than " + std::to_string(widest_fragment_picture()) +
+                            " there is no room for the key; take --aov-format csv or pfm",
+                 .source = "--aov fragments"};
+  }
+  return Done{};
 }
 
 Status write_outputs(const Frame& frame, const Outputs& outputs, const PictureOptions& options) {
-  const PictureFormat beside = outputs.format == PictureFormat::pfm ? PictureFormat::pfm : PictureFormat::png;
   if (const Status s = write_picture(frame.image, outputs.path, outputs.format, options); !s) return s;
-  if (outputs.depth) {
-    if (const Status s = write_picture(frame.depth, aov_path(outputs, "depth"), beside, options); !s)
-      return s;
+  for (const std::string& plane : outputs.planes) {
+    for (const PlaneFormat format : outputs.plane_formats) {
+      const std::string path = plane_path(outputs, plane, format);
+      if (const Status s = write_plane(frame, plane, format, path, options); !s) return s;
+    }
   }
-  if (outputs.normal) {
-    if (const Status s = write_picture(frame.normal, aov_path(outputs, "normal"), beside, options); !s)
-      return s;
-  }
-  return outputs.id ? write_id(frame, outputs, options) : Status(Done{});
+  return Done{};
 }
 
 }  // namespace blysk::command

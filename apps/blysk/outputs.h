@@ -3,10 +3,13 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "arguments.h"
 #include "blysk/image.h"
 #include "blysk/render.h"
+#include "planes.h"
 
 namespace blysk::command {
 
@@ -14,8 +17,11 @@ namespace blysk::command {
 struct Outputs {
   std::string path;
   PictureFormat format = PictureFormat::png;
-  bool depth = false, normal = false, id = false;
-  bool to_stdout() const { return path == "-"; }
+  std::vector<std::string> planes;  ///< of --aov, each once
+  std::vector<PlaneFormat> plane_formats;
+  [[nodiscard]] bool to_stdout() const { return path == "-"; }
+  [[nodiscard]] bool wants(std::string_view plane) const;
+  [[nodiscard]] bool wants(PlaneFormat format) const;
 };
 
 /// ErrorCode::output where no file can be written: a long work must not end in a folder that was never there.
@@ -25,10 +31,15 @@ struct Outputs {
 [[nodiscard]] Result<Outputs> outputs_of(const Arguments& arguments);
 
 /// "name.depth.png" for "name.png".
-[[nodiscard]] std::string aov_path(const Outputs& outputs, const std::string& aov);
+[[nodiscard]] std::string plane_path(const Outputs& outputs, std::string_view plane, PlaneFormat format);
 
-/// ErrorCode::limit where more triangles are drawn than a picture of ids can tell apart.
-[[nodiscard]] Status check_ids(std::uint64_t triangles, const Outputs& outputs);
+/// Asks the renderer for what is to be written.
+void want_planes(const Outputs& outputs, RenderOptions& options);
+
+/// ErrorCode::limit where a plane cannot be written: more triangles than a picture of ids can tell apart, or
+/// no room for the key of the fragments.
+[[nodiscard]] Status check_planes(std::uint64_t triangles, const RenderOptions& options,
+                                  const Outputs& outputs);
 
 /// Writes the picture and what stands beside it.
 [[nodiscard]] Status write_outputs(const Frame& frame, const Outputs& outputs, const PictureOptions& options);

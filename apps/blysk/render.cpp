@@ -2,6 +2,7 @@
 #include <sys/resource.h>
 
 #include "blysk/version.h"
+#include "fragment_report.h"
 #include "json.h"
 #include "outputs.h"
 #include "scene_options.h"
@@ -51,6 +52,14 @@ std::uint64_t peak_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
+// A file, or several.
+Json plane_json(const Outputs& outputs, const std::string& plane) {
+  if (outputs.plane_formats.size() == 1) return plane_path(outputs, plane, outputs.plane_formats.front());
+  Json paths = Json::array();
+  for (const PlaneFormat format : outputs.plane_formats) paths.push_back(plane_path(outputs, plane, format));
+  return paths;
+}
+
 Json to_json(const Told& told) {
   const FrameStatistics& statistics = told.frame.statistics;
   Json json = {
@@ -65,13 +74,7 @@ Json to_json(const Told& told) {
         {"culled", statistics.triangles_culled},
         {"drawn", statistics.triangles_drawn}}},
       {"pixels", {{"covered", statistics.pixels_covered}}},
-      {"fragments",
-       {{"shaded", statistics.fragments_shaded},
-        {"pixels", statistics.pixels_shared},
-        {"transparent", statistics.layers_generated},
-        {"merged", statistics.layers_merged},
-        {"merged_pixels", statistics.pixels_merged},
-        {"lost", statistics.fragments_lost}}},
+      {"fragments", fragments_json(statistics)},
       {"memory", {{"renderer", statistics.memory_bytes}, {"peak", peak_bytes()}}},
       {"ms",
        {{"load", json_ms(told.times.load)},
@@ -82,12 +85,9 @@ Json to_json(const Told& told) {
         {"total", json_ms(told.times.total)}}},
       {"sha256", sha256(told.frame.image)},
   };
+  if (statistics.fragment_memory.main_bytes > 0) json["memory"]["buffers"] = buffers_json(statistics);
   if (told.arguments.has("repeat")) json["repeat"] = static_cast<int>(told.arguments.number("repeat"));
-  if (told.arguments.has("aov")) {
-    for (const std::string& name : split(told.arguments.text("aov"), ',')) {
-      json["aov"][name] = aov_path(told.outputs, name);
-    }
-  }
+  for (const std::string& plane : told.outputs.planes) json["aov"][plane] = plane_json(told.outputs, plane);
   return json;
 }
 
@@ -148,10 +148,9 @@ Result<int> run_render(const Arguments& arguments) {
 
   Result<RenderOptions> options = render_options(arguments, *scene);
   if (!options) return options.error();
-  options->want_depth = outputs->depth;
-  options->want_normal = outputs->normal;
-  options->want_id = outputs->id;
-  if (const Status status = check_ids(scene->triangles(), *outputs); !status) return status.error();
+  want_planes(*outputs, *options);
+  options->want_complexity = arguments.has("statistics");
+  if (const Status s = check_planes(scene->triangles(), *options, *outputs); !s) return s.error();
 
   progress.phase("rendering");
   Renderer renderer({.threads = threads_of(arguments), .isa = *isa_of(arguments)});
@@ -172,6 +171,7 @@ Result<int> run_render(const Arguments& arguments) {
     warn_problems(*scene, arguments);
     warn_merged(frame.statistics);
     if (arguments.has("verbose")) say_details(told);
+    if (arguments.has("verbose") || arguments.has("statistics")) say_fragments(frame.statistics);
     say_summary(told);
   }
   if (arguments.has("json")) {

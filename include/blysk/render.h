@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "blysk/fragments.h"
 #include "blysk/image.h"
 #include "blysk/limits.h"
 #include "blysk/result.h"
@@ -63,6 +64,8 @@ struct RenderOptions {
   Transfer transfer = Transfer::srgb;
   Vec4f background{0, 0, 0, 0};  ///< encoded (not linear) RGBA, 0..1
   bool want_depth = false, want_normal = false, want_id = false;
+  bool want_fragments = false, want_coverage = false;
+  bool want_complexity = false;  ///< FrameStatistics::complexity, which takes a pass of its own
   Limits limits;
 };
 
@@ -77,8 +80,13 @@ struct FrameStatistics {
   std::uint64_t layers_generated = 0;  ///< of transparent triangles: in pixels, hidden or not
   std::uint64_t layers_merged = 0;     ///< that a pixel had no room for, so that two became one
   std::uint64_t pixels_merged = 0;     ///< with such layers
-  std::uint64_t fragments_lost = 0;    ///< abuffer-discard, -merge, -pool: dropped, or merged with another
-  std::uint64_t memory_bytes = 0;      ///< held by the renderer beyond scene and image
+  std::uint64_t fragments_lost = 0;    ///< abuffer-*: dropped, or merged with another
+  std::uint64_t fragments_hidden_on_arrival = 0;  ///< abuffer-*: wholly, by what their pixel had
+  std::uint64_t fragments_removed_later = 0;      ///< abuffer-*: wholly hidden by one that came after
+  std::uint64_t fragments_most_live = 0;          ///< abuffer-*: in one pixel at one time
+  FragmentMemory fragment_memory;                 ///< of abuffer-*
+  DepthComplexity complexity;                     ///< if wanted
+  std::uint64_t memory_bytes = 0;                 ///< held by the renderer beyond scene and image
   double geometry_ms = 0, tiles_ms = 0, frame_ms = 0;
 };
 
@@ -87,6 +95,11 @@ struct Frame {
   FloatImage depth;         ///< 0 near .. 1 far plane; 1 where nothing is
   FloatImage normal;        ///< world space, towards the viewer; 0 where nothing is
   Array<std::uint32_t> id;  ///< 1 + index of the triangle over all instances; 0 where nothing is
+  /// Fragments of each pixel that are left when all triangles are drawn: with "none" 1 where anything is;
+  /// with "abuffer" the opaque surfaces that its samples show and the transparent layers before them, seen or
+  /// not; with the others what is in the pixel's list.
+  Array<std::uint32_t> fragments;
+  FloatImage coverage;  ///< share of a pixel's samples that any surface covers, opaque or transparent; 0..1
   FrameStatistics statistics;
 };
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "antialias/sample_tile.h"
+#include "antialias/vertex_opacity.h"
 
 namespace blysk {
 
@@ -18,7 +19,8 @@ inline constexpr int kMostGlass = kTilePixels * kMostLayers;
 /// A transparent triangle. They come in ascending order of ids.
 struct GlassEntry {
   LargeEntry triangle;
-  float opacity;  ///< above 0, below 1
+  float opacity;                 ///< above 0, below 1
+  const VertexOpacity* varying;  ///< instead of `opacity`, which may then be anything of 0..1; or null
 };
 
 /// Of one pixel: the samples at which a surface is not behind an opaque one.

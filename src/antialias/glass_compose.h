@@ -123,6 +123,7 @@ inline void compose_glass(const SampleJob& job, const SampleTile& tile) {
     const int at = g.pixel[i];
     const GlassPixel glass(g, at, tile.grid);
     glass.for_each([&](const GlassLayer& l, F32 depths, float weight) {
+      if (weight == 0) return;  // behind layers that let nothing through
       write_weighed(s, at, {l.id, l.mask, kCenters ? mean_nearness(depths, l.mask) : 0.0f, weight});
     });
     const PixelSamples& pixel = tile.samples_of(at);

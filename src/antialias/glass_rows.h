@@ -71,7 +71,11 @@ class GlassPainter {
         tile_(tile),
         glass_(glass),
         slopes_(tile.grid, s_.slope_x, s_.slope_y),
-        opacity_(entry.opacity) {
+        first_x_(job.x),
+        first_y_(job.y),
+        opacity_(entry.opacity),
+        varies_(entry.varying != nullptr) {
+    if (varies_) varying_ = triangle_opacity(*entry.varying, job.vertices, entry.triangle.id);
     for (int k = 0; k < 3; ++k) {
       at_samples_[k] = I32(s_.dx[k]) * tile.grid.down - I32(s_.dy[k]) * tile.grid.across;
     }
@@ -112,7 +116,9 @@ class GlassPainter {
         and_not(uncovered, (depths > opaque) | ((depths == opaque) & (load(pixel.id) > I32(s_.id))));
     const unsigned mask = to_bits(front);
     if (mask == 0) return;
-    add_layer(glass_, at, {s_.id, mask, center, s_.slope_x, s_.slope_y, s_.lowest, s_.highest, opacity_, -1});
+    const float opacity = varies_ ? opacity_at(varying_, first_x_ + x, first_y_ + y, mask) : opacity_;
+    if (opacity == 0) return;
+    add_layer(glass_, at, {s_.id, mask, center, s_.slope_x, s_.slope_y, s_.lowest, s_.highest, opacity, -1});
   }
 
   const RowSurface s_;
@@ -120,7 +126,10 @@ class GlassPainter {
   SampleTile& tile_;
   GlassBuffers& glass_;
   const SampleSlopes slopes_;
+  const int first_x_, first_y_;  // of the tile
   const float opacity_;
+  const bool varies_;
+  TriangleOpacity varying_;
   I32 at_samples_[3];
 };
 

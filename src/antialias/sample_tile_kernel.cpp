@@ -25,10 +25,14 @@ void fill_background(const TileJob& job) {
   }
 }
 
-int count_covered(const TileBuffers& tile) {
+// Below the picture's last row pixels may be open, as blocks are opened whole.
+int count_covered(const TileJob& job) {
+  const TileBuffers& tile = *job.buffers;
   int n = 0;
   const I32 none(static_cast<std::int32_t>(kNoTriangle));
-  for (int i = 0; i < kTilePixels; i += kLanes) n += __builtin_popcount(to_bits(load(tile.id + i) != none));
+  for (int i = 0; i < job.height * kTileSize; i += kLanes) {
+    n += __builtin_popcount(to_bits(load(tile.id + i) != none));
+  }
   return n;
 }
 
@@ -211,7 +215,7 @@ int rasterize(const SampleJob& job) {
   if (job.glass != nullptr) draw_glass(job, tile);
   if (tile.any_open) collect<kCenters>(job);
   if (job.glass != nullptr) compose_glass<kCenters>(job, tile);
-  const int covered = filled ? kTilePixels : count_covered(*of.buffers);
+  const int covered = filled ? kTilePixels : count_covered(of);
   if (covered < kTilePixels) fill_background(of);
   return covered;
 }

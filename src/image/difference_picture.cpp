@@ -6,30 +6,17 @@
 #include <string_view>
 
 #include "image/metrics.h"
+#include "image/panel.h"
 
 namespace blysk {
 namespace {
 
-constexpr std::uint32_t kPanel = 0xff202020, kInk = 0xffe8e8e8, kEqual = 0xff000000;
+using namespace panel;
 
-// The panel to the right of the picture, in pixels: margin, bar, tick, label, margin.
-constexpr int kMargin = 8, kBarWidth = 16, kTick = 4, kGap = 3;
-constexpr int kLabelDigits = 3;
-
-// Digits are 5x7 dots, drawn 2x2 pixels each.
-constexpr int kDotsWide = 5, kDotsHigh = 7, kDot = 2;
-constexpr int kDigitAdvance = (kDotsWide + 1) * kDot, kDigitHeight = kDotsHigh * kDot;
-constexpr int kPanelWidth = 2 * kMargin + kBarWidth + kTick + kGap + kLabelDigits * kDigitAdvance;
+constexpr std::uint32_t kEqual = 0xff000000;
+constexpr int kPanelWidth = width_for(3);
 constexpr int kLeastHeight = 2 * kMargin + 5 * kDigitHeight;  // room for a few labels beside a small picture
 constexpr int kLeastTickDistance = 3 * kDigitHeight / 2;
-
-// Rows from the top, the leftmost dot in bit 4.
-constexpr std::uint8_t kDigits[10][kDotsHigh] = {
-    {14, 17, 19, 21, 25, 17, 14}, {4, 12, 4, 4, 4, 4, 14},  {14, 17, 1, 6, 8, 16, 31},
-    {14, 17, 1, 6, 1, 17, 14},    {2, 6, 10, 18, 31, 2, 2}, {31, 16, 30, 1, 1, 17, 14},
-    {6, 8, 16, 30, 17, 17, 14},   {31, 1, 2, 4, 8, 8, 8},   {14, 17, 17, 14, 17, 17, 14},
-    {14, 17, 17, 15, 1, 2, 12},
-};
 
 struct Rgb {
   int r, g, b;
@@ -72,26 +59,6 @@ std::uint32_t largest_difference(std::uint32_t a, std::uint32_t b) {
   return largest;
 }
 
-void fill(Image& image, int left, int top, int width, int height, std::uint32_t color) {
-  for (int y = top; y < top + height; ++y) {
-    std::uint32_t* row =
-        image.pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width);
-    std::fill(row + left, row + left + width, color);
-  }
-}
-
-void draw_number(Image& image, int left, int top, int number) {
-  for (const char c : std::to_string(number)) {
-    for (int y = 0; y < kDotsHigh; ++y) {
-      for (int x = 0; x < kDotsWide; ++x) {
-        if ((kDigits[c - '0'][y] >> (kDotsWide - 1 - x) & 1) == 0) continue;
-        fill(image, left + x * kDot, top + y * kDot, kDot, kDot, kInk);
-      }
-    }
-    left += kDigitAdvance;
-  }
-}
-
 // Difference between two labels: 1, 2 or 5 times a power of ten, the labels not crowded.
 int tick_step(int full_scale, int bar_height) {
   for (const int step : {1, 2, 5, 10, 20, 50, 100}) {
@@ -114,7 +81,7 @@ void draw_bar(Image& image, int left, const Palette& palette, int full_scale) {
     const int y = middle(level);
     fill(image, left + kBarWidth, y, kTick, 1, kInk);
     const int text_top = std::clamp(y - kDigitHeight / 2, 0, image.height - kDigitHeight);
-    draw_number(image, left + kBarWidth + kTick + kGap, text_top, level);
+    draw_label(image, left + kBarWidth + kTick + kGap, text_top, std::to_string(level));
   };
   const int step = tick_step(full_scale, height);
   label(full_scale);
@@ -145,7 +112,7 @@ Result<Image> difference_picture(const Image& reference, const Image& candidate,
   const Palette palette = palette_of(full_scale);
   Image out;
   out.resize(reference.width + kPanelWidth, std::max(reference.height, kLeastHeight));
-  std::fill(out.pixels.begin(), out.pixels.end(), kPanel);
+  std::fill(out.pixels.begin(), out.pixels.end(), kGround);
   const auto width = static_cast<std::size_t>(reference.width), stride = static_cast<std::size_t>(out.width);
   for (std::size_t y = 0; y < static_cast<std::size_t>(reference.height); ++y) {
     for (std::size_t x = 0; x < width; ++x) {

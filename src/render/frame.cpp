@@ -105,11 +105,43 @@ Surface make_surface(const Material& m, std::span<const Light> lights, const Ren
   return s;
 }
 
+float unit(float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; }  // not a number: 0
+
+// The least and the largest alpha of a mesh's vertices.
+std::pair<float, float> alpha_range(const Mesh& mesh) {
+  if (mesh.colors.empty()) return {1.0f, 1.0f};
+  float low = 1, high = 0;
+  for (const Vec4f& c : mesh.colors) {
+    low = std::min(low, unit(c.w));
+    high = std::max(high, unit(c.w));
+  }
+  return {low, high};
+}
+
 // Where pixels are sampled; one sample shows everything as opaque.
-float opacity_of(const Material& m) {
-  if (m.alpha_mode == AlphaMode::opaque) return 1;
-  if (m.alpha_mode == AlphaMode::mask) return m.opacity >= m.alpha_cutoff ? 1 : 0;
-  return m.opacity > 0 ? std::min(m.opacity, 1.0f) : 0.0f;
+void set_opacity(DrawPlan& p, const Mesh& mesh, const Material& m, Interpolation interpolation) {
+  if (m.alpha_mode == AlphaMode::opaque) return;
+  const bool mask = m.alpha_mode == AlphaMode::mask;
+  const float factor = unit(m.opacity);
+  const auto [low, high] = alpha_range(mesh);
+  const auto shown = [&](float alpha) {
+    const float opacity = factor * alpha;
+    return !mask ? opacity : opacity >= m.alpha_cutoff ? 1.0f : 0.0f;
+  };
+  p.opacity = shown(high);
+  p.varies = shown(low) != shown(high);
+  if (!p.varies) return;
+  const Draw& d = p.draw;
+  p.varying = {.positions = d.positions,
+               .indices = d.indices,
+               .colors = d.colors,
+               .projection = d.projection,
+               .vertex_base = d.vertex_base,
+               .id_base = d.id_base,
+               .factor = factor,
+               .cutoff = m.alpha_cutoff,
+               .mask = mask,
+               .screen_linear = interpolation == Interpolation::screen};
 }
 
 ListPlan list_plan(const MethodChoice& choice) {
@@ -238,8 +270,10 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
       return failure(ErrorCode::limit, "the scene has more triangles or vertices than the limits allow (" +
                                            std::to_string(options.limits.max_triangles) + " triangles)");
     }
-    if (plan.sampling == Sampling::samples) p.opacity = opacity_of(material);
-    plan.glass = plan.glass || (p.opacity > 0 && p.opacity < 1);
+    if (plan.sampling == Sampling::samples) {
+      set_opacity(p, scene.meshes[instance.mesh], material, options.interpolation);
+    }
+    plan.glass = plan.glass || (p.opacity > 0 && p.transparent());
     if (p.opacity == 0) p.triangles = 0;  // they keep their ids
     plan.draws.push_back(p);
   }

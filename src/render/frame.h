@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "antialias/overflow.h"
+#include "antialias/vertex_opacity.h"
 #include "blysk/methods.h"
 #include "blysk/render.h"
 #include "geometry/assemble.h"
@@ -17,7 +18,11 @@ struct DrawPlan {
   Draw draw;
   std::size_t vertices = 0, triangles = 0;
   DropArea drop = DropArea::none;
-  float opacity = 1;  ///< below 1 it is transparent; only where pixels are sampled
+  float opacity = 1;    ///< below 1 it is transparent; only where pixels are sampled
+  bool varies = false;  ///< opacity is that of the vertices: `varying`
+  VertexOpacity varying{};
+
+  [[nodiscard]] bool transparent() const { return varies || opacity < 1; }
 };
 
 /// A variant of the A-buffer that keeps lists of fragments.

@@ -75,6 +75,7 @@ void ListTile::prepare(const FramePlan& plan, std::size_t max_bytes) {
   max_bytes_ = max_bytes;
   tile_ = make_lists(plan.lists);
   statistics_ = {};
+  fullest_pool_ = 0;
   nearest_id_.resize(kTilePixels);
   nearest_z_.resize(kTilePixels);
 }
@@ -97,6 +98,8 @@ void ListTile::add(const GlassEntry& entry, const TileJob& job, std::uint32_t nu
                 .alpha = entry.opacity,
                 .id = number,
                 .object = object};
+  TriangleOpacity varying;
+  if (entry.varying != nullptr) varying = triangle_opacity(*entry.varying, job.vertices, t.id);
   const auto first = [](std::int32_t low, int start) { return std::max((low >> kSubpixelBits) - start, 0); };
   const auto last = [](std::int32_t high, int start, int count) {
     return std::min((high >> kSubpixelBits) - start, count - 1);
@@ -107,9 +110,15 @@ void ListTile::add(const GlassEntry& entry, const TileJob& job, std::uint32_t nu
     for (int x = first(left, job.x); x <= last(right, job.x, job.width); ++x) {
       f.mask = coverage.mask(job.x + x, job.y + y);
       if (f.mask == 0) continue;
+      if (entry.varying != nullptr) f.alpha = opacity_at(varying, job.x + x, job.y + y, f.mask);
+      if (f.alpha == 0) continue;
       f.z = static_cast<float>(plane.at(job.x + x, job.y + y));
       const auto pixel = static_cast<std::uint32_t>(y * kTileSize + x);
       waiting_.push_back({t.id, pixel, f});
+      if (counts_ != nullptr) {
+        ++counts_->generated[pixel];
+        counts_->covered[pixel] |= static_cast<std::uint16_t>(f.mask);
+      }
       const float z_here = least_depth(f);
       if (z_here >= nearest_z_[pixel]) continue;
       nearest_z_[pixel] = z_here;
@@ -152,7 +161,12 @@ void ListTile::flush(SampleBuffers& samples, const Shade& shade) {
   order_.resize(waiting_.size());
   for (std::size_t i = 0; i < waiting_.size(); ++i) order_[next[round[i]]++] = static_cast<std::uint32_t>(i);
   for (std::size_t r = 0; r + 1 < first.size(); ++r) shade_round(first[r], first[r + 1], samples, shade);
-  for (const Waiting& w : waiting_) tile_->insert(w.pixel, w.fragment);
+  for (const Waiting& w : waiting_) {
+    tile_->insert(w.pixel, w.fragment);
+    if (counts_ == nullptr) continue;
+    std::uint32_t& most = counts_->most_live[w.pixel];
+    most = std::max(most, static_cast<std::uint32_t>(tile_->live(w.pixel)));
+  }
   waiting_.clear();
   if (bytes() > max_bytes_) throw std::bad_alloc();
 }
@@ -191,6 +205,11 @@ int ListTile::draw(const FramePlan& plan, const TileJob& job, SampleBuffers& sam
     buffers.nearness[pixel] = std::clamp(1 - nearest_z_[pixel], 0.0f, 1.0f);
   }
   statistics_ += tile_->statistics();
+  fullest_pool_ = std::max(fullest_pool_, tile_->statistics().pool_peak);
+  if (counts_ != nullptr) {
+    for (std::size_t i = 0; i < kTilePixels; ++i)
+      counts_->live[i] = static_cast<std::uint32_t>(tile_->live(i));
+  }
   return samples.pixels;
 }
 

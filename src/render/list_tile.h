@@ -13,6 +13,7 @@
 #include "antialias/glass.h"
 #include "antialias/sample_tile.h"
 #include "render/frame.h"
+#include "render/tile_counts.h"
 
 namespace blysk {
 
@@ -26,9 +27,12 @@ class ListTile {
   /// Leaves the pixels' colours as SampleBuffers::sum, to be resolved, and the nearest surface of each pixel
   /// in TileBuffers. Returns how many pixels are covered.
   int draw(const FramePlan& plan, const TileJob& job, SampleBuffers& samples, const Shade& shade);
+  /// Where draw() counts from now on; null: nowhere.
+  void count_in(TileCounts* counts) { counts_ = counts; }
 
   /// Of all tiles since prepare().
   [[nodiscard]] const antialias::ListStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] std::uint64_t fullest_pool() const { return fullest_pool_; }
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -48,6 +52,8 @@ class ListTile {
   std::vector<std::uint32_t> nearest_id_;
   std::vector<float> nearest_z_;  ///< of any sample
   antialias::ListStatistics statistics_;
+  std::uint64_t fullest_pool_ = 0;  ///< most slots in use in one tile
+  TileCounts* counts_ = nullptr;
   std::size_t max_bytes_ = 0;
 };
 

@@ -2,14 +2,15 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstring>
 #include <new>
 
 #include "blysk/render.h"
 #include "core/threads.h"
+#include "render/fragment_memory.h"
 #include "render/frame.h"
 #include "render/kernels.h"
 #include "render/list_tile.h"
+#include "render/planes.h"
 #include "render/sample_memory.h"
 
 namespace blysk {
@@ -46,6 +47,9 @@ struct Worker {
   std::vector<std::uint32_t> rest;
   std::vector<float> normals;
   std::vector<std::uint8_t> seen_draws;
+  std::unique_ptr<TileCounts> counts;  ///< if wanted
+  std::vector<GlassEntry> counted_entries;
+  FragmentCounter generated, live, most_live;
   bool blank = false;  ///< `tile` is clear: the last tile had nothing in it
   std::uint64_t culled = 0, drawn = 0, covered = 0;
 };
@@ -71,9 +75,14 @@ struct Renderer::State {
   void transform();
   void assemble(const RenderOptions& options, int tiles_x, std::size_t tiles);
   void draw_tiles(const RenderOptions& options, int tiles_x, std::size_t tiles, Frame& frame);
-  void draw_tile(Worker& worker, const RenderOptions& options, int tiles_x, std::size_t tile,
-                 ShadeFunction shade, Frame& frame);
+  [[nodiscard]] TileJob job_of(std::size_t tile, int tiles_x, const RenderOptions& options) const;
+  [[nodiscard]] bool is_empty(std::size_t tile) const;
+  void draw_tile(Worker& worker, const RenderOptions& options, TileJob job, ShadeFunction shade,
+                 Frame& frame);
   void shade_draws(Worker& worker, ShadeJob& job, ShadeFunction function);
+  void count_fragments(Worker& worker, const RenderOptions& options, const TileJob& job);
+  void add_up(Worker& worker, const TileJob& job) const;
+  void sum_up(const RenderOptions& options, FrameStatistics& statistics);
   [[nodiscard]] std::uint64_t memory_of_vertices() const { return plan.vertices * sizeof(ScreenVertex); }
   [[nodiscard]] std::uint64_t memory() const;
 };
@@ -105,6 +114,13 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
     w.culled = w.drawn = w.covered = 0;
     if (plan.sampling == Sampling::samples) w.samples.prepare(plan.glass);
     if (plan.lists.kind != ListPlan::Kind::none) w.lists.prepare(plan, room);
+    if (!wants_counts(options)) {
+      w.counts.reset();
+    } else if (!w.counts) {
+      w.counts = std::make_unique_for_overwrite<TileCounts>();
+    }
+    w.lists.count_in(w.counts.get());
+    for (FragmentCounter* c : {&w.generated, &w.live, &w.most_live}) c->clear();
     w.blank = false;  // the background may have changed
   }
   cut(&DrawPlan::triangles, kChunkTriangles);
@@ -124,7 +140,7 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
     job.tiles_x = tiles_x;
     job.drop = p.drop;
     job.sampling = plan.sampling;
-    job.transparent = p.opacity < 1;
+    job.transparent = p.transparent();
     job.owner = &w.bins;
     job.bins = w.bins.bins();
     job.rest = w.rest.data();
@@ -165,35 +181,63 @@ void Renderer::State::shade_draws(Worker& worker, ShadeJob& job, ShadeFunction f
   }
 }
 
-void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, int tiles_x, std::size_t tile,
-                                ShadeFunction shade, Frame& frame) {
-  TileBuffers& buffers = *worker.tile;
+// Of a tile without lists, which count themselves.
+void Renderer::State::count_fragments(Worker& worker, const RenderOptions& options, const TileJob& job) {
+  if (plan.sampling == Sampling::samples) {
+    worker.samples.count(*job.buffers, *worker.counts);
+  } else {
+    count_centers(*job.buffers, *worker.counts);
+  }
+  if (options.want_complexity) count_generated(plan, job, worker.counted_entries, *worker.counts);
+}
+
+// Of a tile that is counted.
+void Renderer::State::add_up(Worker& worker, const TileJob& job) const {
+  const TileCounts& counts = *worker.counts;
+  worker.generated.add(counts.generated, job.width, job.height);
+  worker.live.add(counts.live, job.width, job.height);
+  if (plan.lists.kind != ListPlan::Kind::none) worker.most_live.add(counts.most_live, job.width, job.height);
+}
+
+TileJob Renderer::State::job_of(std::size_t tile, int tiles_x, const RenderOptions& options) const {
   const int x = static_cast<int>(tile % static_cast<std::size_t>(tiles_x)) * kTileSize;
   const int y = static_cast<int>(tile / static_cast<std::size_t>(tiles_x)) * kTileSize;
-  const int width = std::min(kTileSize, options.width - x), height = std::min(kTileSize, options.height - y);
-  const TileJob job = {x,
-                       y,
-                       width,
-                       height,
-                       tile,
-                       vertices.data(),
-                       bin_lists.data(),
-                       static_cast<int>(bin_lists.size()),
-                       plan.background,
-                       &buffers};
-  const bool empty = std::all_of(bin_lists.begin(), bin_lists.end(), [&](const Bin* lists) {
+  return {x,
+          y,
+          std::min(kTileSize, options.width - x),
+          std::min(kTileSize, options.height - y),
+          tile,
+          vertices.data(),
+          bin_lists.data(),
+          static_cast<int>(bin_lists.size()),
+          plan.background,
+          nullptr};
+}
+
+bool Renderer::State::is_empty(std::size_t tile) const {
+  return std::all_of(bin_lists.begin(), bin_lists.end(), [&](const Bin* lists) {
     const Bin* of_tile = lists + bin_index(tile, Stream::dot);
     return std::all_of(of_tile, of_tile + kStreams, [](const Bin& bin) { return bin.first == nullptr; });
   });
-  const bool sampled = plan.sampling == Sampling::samples, listed = plan.lists.kind != ListPlan::Kind::none;
-  const bool work = !empty || !worker.blank;
-  int covered = 0;
-  if (work && !listed) covered = sampled ? worker.samples.rasterize(table, plan, job) : table.rasterize(job);
+}
 
-  ShadeJob shading{x,
-                   y,
-                   width,
-                   height,
+void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, TileJob job,
+                                ShadeFunction shade, Frame& frame) {
+  TileBuffers& buffers = *worker.tile;
+  job.buffers = &buffers;
+  const bool empty = is_empty(job.tile), work = !empty || !worker.blank, counts = wants_counts(options);
+  const bool sampled = plan.sampling == Sampling::samples, listed = plan.lists.kind != ListPlan::Kind::none;
+  int covered = 0;
+  if (counts) worker.counts->clear();
+  if (work && !listed) {
+    covered = sampled ? worker.samples.rasterize(table, plan, job) : table.rasterize(job);
+    if (counts) count_fragments(worker, options, job);
+  }
+
+  ShadeJob shading{job.x,
+                   job.y,
+                   job.width,
+                   job.height,
                    &buffers,
                    sampled ? worker.samples.buffers() : nullptr,
                    nullptr,
@@ -209,34 +253,24 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
   }
   worker.blank = empty;
   worker.covered += static_cast<std::uint64_t>(covered);
+  if (options.want_complexity) add_up(worker, job);
   if (covered > 0 && !listed) shade_draws(worker, shading, shade);
   if (covered > 0 && sampled) {
     if (shading.samples->pixels > 0) table.resolve_samples({&buffers, shading.samples, options.transfer});
     shading.samples = nullptr;
-    const bool one_surface = options.want_depth || options.want_normal || options.want_id;
-    if (one_surface && !listed) worker.samples.show_nearest(buffers);
+    if (wants_surface(options) && !listed) worker.samples.show_nearest(buffers);
   }
   if (options.want_normal) {
     worker.normals.assign(3 * kTilePixels, 0.0f);
     shading.normals = worker.normals.data();
     if (covered > 0) shade_draws(worker, shading, table.write_normals);
   }
-  const std::size_t first =
-      static_cast<std::size_t>(y) * static_cast<std::size_t>(options.width) + static_cast<std::size_t>(x);
-  table.store_tile(buffers, width, height, frame.image.pixels.data() + first,
-                   static_cast<std::size_t>(options.width));
-  if (!options.want_depth && !options.want_normal && !options.want_id) return;
-  for (int row = 0; row < height; ++row) {
-    const std::size_t from = static_cast<std::size_t>(row) * kTileSize;
-    const std::size_t to = static_cast<std::size_t>(y + row) * static_cast<std::size_t>(options.width) +
-                           static_cast<std::size_t>(x);
-    const auto count = static_cast<std::size_t>(width);
-    if (options.want_normal)
-      std::memcpy(&frame.normal.values[3 * to], &worker.normals[3 * from], 3 * count * sizeof(float));
-    for (std::size_t i = 0; i < count && options.want_depth; ++i)
-      frame.depth.values[to + i] = 1.0f - buffers.nearness[from + i];
-    for (std::size_t i = 0; i < count && options.want_id; ++i) frame.id[to + i] = buffers.id[from + i] + 1;
-  }
+  const auto width = static_cast<std::size_t>(options.width);
+  table.store_tile(
+      buffers, job.width, job.height,
+      frame.image.pixels.data() + static_cast<std::size_t>(job.y) * width + static_cast<std::size_t>(job.x),
+      width);
+  store_planes(options, job, worker.normals.data(), worker.counts.get(), frame);
 }
 
 void Renderer::State::draw_tiles(const RenderOptions& options, int tiles_x, std::size_t tiles, Frame& frame) {
@@ -247,7 +281,8 @@ void Renderer::State::draw_tiles(const RenderOptions& options, int tiles_x, std:
     if (table.shadings[i].name == plan.shading.method->name) shade = table.shadings[i].shade;
   }
   pool.for_each(tiles, [&](int worker, std::size_t tile) {
-    draw_tile(workers[static_cast<std::size_t>(worker)], options, tiles_x, tile, shade, frame);
+    draw_tile(workers[static_cast<std::size_t>(worker)], options, job_of(tile, tiles_x, options), shade,
+              frame);
   });
 }
 
@@ -256,9 +291,46 @@ std::uint64_t Renderer::State::memory() const {
                     plan.draws.capacity() * sizeof(DrawPlan);
   for (const Worker& w : workers) {
     n += w.bins.memory() + sizeof(TileBuffers) + w.samples.bytes() + w.lists.bytes() +
-         w.rest.capacity() * sizeof(std::uint32_t) + w.normals.capacity() * sizeof(float);
+         w.rest.capacity() * sizeof(std::uint32_t) + w.normals.capacity() * sizeof(float) +
+         w.counted_entries.capacity() * sizeof(GlassEntry) + (w.counts ? sizeof(TileCounts) : 0);
   }
   return n;
+}
+
+void Renderer::State::sum_up(const RenderOptions& options, FrameStatistics& s) {
+  s = {};
+  s.triangles_in = plan.triangles;
+  antialias::ListStatistics lists;
+  std::uint64_t fullest_pool = 0;
+  FragmentCounter generated, live, most_live;
+  for (Worker& w : workers) {
+    s.triangles_culled += w.culled;
+    s.triangles_drawn += w.drawn;
+    s.pixels_covered += w.covered;
+    generated.add(w.generated);
+    live.add(w.live);
+    most_live.add(w.most_live);
+    if (plan.sampling == Sampling::centers) continue;
+    const SampleCounts& c = w.samples.counts();
+    s.fragments_shaded += c.fragments;
+    s.pixels_shared += c.shared_pixels;
+    s.layers_generated += c.layers;
+    s.layers_merged += c.merged_layers;
+    s.pixels_merged += c.merged_pixels;
+    if (plan.lists.kind == ListPlan::Kind::none) continue;
+    lists += w.lists.statistics();
+    fullest_pool = std::max(fullest_pool, w.lists.fullest_pool());
+  }
+  s.fragments_shaded += lists.generated;
+  s.fragments_lost = lists.overflowed;
+  s.fragments_hidden_on_arrival = lists.hidden_on_arrival;
+  s.fragments_removed_later = lists.removed_later;
+  s.fragments_most_live = lists.most_live;
+  s.fragment_memory = fragment_memory(plan.lists, {options.width, options.height}, lists, fullest_pool);
+  if (!options.want_complexity) return;
+  DepthComplexity& d = s.complexity;
+  d = {generated.histogram(), live.histogram(), most_live.histogram(), 0};
+  d.hidden = d.generated.total() - d.live.total() - s.layers_merged - s.fragments_lost;
 }
 
 Status Renderer::State::render(const Scene& scene, const RenderOptions& options, Frame& frame) {
@@ -270,16 +342,7 @@ Status Renderer::State::render(const Scene& scene, const RenderOptions& options,
     return out_of_memory(options);
   }
   frame.image.resize(options.width, options.height);
-  const std::size_t pixels = frame.image.pixels.size();
-  frame.depth = options.want_depth
-                    ? FloatImage{options.width, options.height, 1, std::move(frame.depth.values)}
-                    : FloatImage{};
-  frame.normal = options.want_normal
-                     ? FloatImage{options.width, options.height, 3, std::move(frame.normal.values)}
-                     : FloatImage{};
-  frame.depth.values.resize(options.want_depth ? pixels : 0);
-  frame.normal.values.resize(options.want_normal ? 3 * pixels : 0);
-  frame.id.resize(options.want_id ? pixels : 0);
+  size_planes(options, frame);
   vertices.resize(plan.vertices);
 
   const int tiles_x = (options.width + kTileSize - 1) / kTileSize;
@@ -292,23 +355,7 @@ Status Renderer::State::render(const Scene& scene, const RenderOptions& options,
   const Clock::time_point end = Clock::now();
 
   FrameStatistics& s = frame.statistics;
-  s = {};
-  s.triangles_in = plan.triangles;
-  for (Worker& w : workers) {
-    s.triangles_culled += w.culled;
-    s.triangles_drawn += w.drawn;
-    s.pixels_covered += w.covered;
-    if (plan.sampling == Sampling::centers) continue;
-    const SampleCounts& c = w.samples.counts();
-    s.fragments_shaded += c.fragments;
-    s.pixels_shared += c.shared_pixels;
-    s.layers_generated += c.layers;
-    s.layers_merged += c.merged_layers;
-    s.pixels_merged += c.merged_pixels;
-    if (plan.lists.kind == ListPlan::Kind::none) continue;
-    s.fragments_shaded += w.lists.statistics().generated;
-    s.fragments_lost += w.lists.statistics().overflowed;
-  }
+  sum_up(options, s);
   s.memory_bytes = memory();
   s.geometry_ms = ms_between(start, assembled);
   s.tiles_ms = ms_between(assembled, end);

@@ -37,7 +37,8 @@ int SampleMemory::rasterize(const Kernels& table, const FramePlan& plan, const T
   const Vec4f& b = plan.linear_background;
   SampleJob samples{job, buffers_.get(), nullptr, nullptr, 0, {b.x, b.y, b.z, b.w}, plan.want_nearness};
   if (plan.glass) gather_glass(plan, job);
-  if (plan.glass && !entries_.empty()) {
+  has_glass_ = plan.glass && !entries_.empty();
+  if (has_glass_) {
     samples.glass = glass_.get();
     samples.glass_entries = entries_.data();
     samples.glass_count = entries_.size();
@@ -64,6 +65,24 @@ void SampleMemory::show_nearest(TileBuffers& pixels) const {
     }
     pixels.nearness[at] = std::clamp(nearness[best], 0.0f, 1.0f);
     pixels.id[at] = id[best] == kNoSurface ? kNoTriangle : static_cast<std::uint32_t>(id[best]);
+  }
+}
+
+void SampleMemory::count(const TileBuffers& pixels, TileCounts& counts) const {
+  count_centers(pixels, counts);  // right where one surface has the pixel
+  for (int i = 0; i < buffers_->pixels; ++i) {
+    const int at = buffers_->pixel[i];
+    const PixelSamples& samples = buffers_->open[SampleBuffers::place_of(at)];
+    std::uint32_t covered = 0;
+    for (int s = 0; s < kSamples; ++s) covered |= (samples.id[s] != kNoSurface ? 1u : 0u) << s;
+    for (std::int32_t l = has_glass_ ? glass_->first[at] : -1; l >= 0; l = glass_->layer[l].next) {
+      covered |= glass_->layer[l].mask;
+    }
+    counts.covered[at] = static_cast<std::uint16_t>(covered);
+    counts.live[at] = 0;
+  }
+  for (int i = 0; i < buffers_->fragments; ++i) {
+    ++counts.live[buffers_->fragment_place[i] & (kTilePixels - 1)];
   }
 }
 

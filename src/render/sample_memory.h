@@ -10,6 +10,7 @@
 #include "antialias/sample_tile.h"
 #include "render/frame.h"
 #include "render/kernels.h"
+#include "render/tile_counts.h"
 
 namespace blysk {
 
@@ -27,6 +28,8 @@ class SampleMemory {
   int rasterize(const Kernels& table, const FramePlan& plan, const TileJob& job);
   /// Of pixels with fragments, the nearest opaque sample stands for the pixel where one surface has to.
   void show_nearest(TileBuffers& pixels) const;
+  /// What the last tile left in its pixels; before show_nearest().
+  void count(const TileBuffers& pixels, TileCounts& counts) const;
 
   [[nodiscard]] SampleBuffers* buffers() { return buffers_.get(); }
   [[nodiscard]] SampleCounts& counts() { return counts_; }
@@ -41,6 +44,7 @@ class SampleMemory {
   std::unique_ptr<std::uint32_t[]> fragments_;
   std::size_t fragment_words_ = 0;
   std::vector<GlassEntry> entries_;
+  bool has_glass_ = false;  ///< the last tile
   SampleCounts counts_;
 };
 

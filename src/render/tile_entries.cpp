@@ -44,10 +44,10 @@ void gather_entries(const FramePlan& plan, const TileJob& job, std::span<const S
     for (const Stream stream : streams) {
       const Bin& bin = job.bins[i][bin_index(job.tile, stream)];
       if (stream == Stream::large || stream == Stream::glass_large) {
-        for_each<LargeEntry>(bin, [&](const LargeEntry& e) { to.push_back({e, 0}); });
+        for_each<LargeEntry>(bin, [&](const LargeEntry& e) { to.push_back({e, 0, nullptr}); });
       } else {
         for_each<SmallEntry>(bin, [&](const SmallEntry& e) {
-          to.push_back({large_entry(e, job.vertices), 0});
+          to.push_back({large_entry(e, job.vertices), 0, nullptr});
         });
       }
     }
@@ -58,6 +58,14 @@ void gather_entries(const FramePlan& plan, const TileJob& job, std::span<const S
   for (GlassEntry& e : to) {
     while (e.triangle.id - plan.draws[draw].draw.id_base >= plan.draws[draw].draw.id_count) ++draw;
     e.opacity = plan.draws[draw].opacity;
+    e.varying = plan.draws[draw].varies ? &plan.draws[draw].varying : nullptr;
+  }
+}
+
+void count_dots(const TileJob& job, std::uint32_t* counts) {
+  for (int i = 0; i < job.bins_count; ++i) {
+    for_each<DotEntry>(job.bins[i][bin_index(job.tile, Stream::dot)],
+                       [&](const DotEntry& e) { ++counts[e.at]; });
   }
 }
 

@@ -14,4 +14,7 @@ namespace blysk {
 void gather_entries(const FramePlan& plan, const TileJob& job, std::span<const Stream> streams,
                     std::vector<GlassEntry>& to);
 
+/// Adds each DotEntry of a tile to its pixel's count.
+void count_dots(const TileJob& job, std::uint32_t* counts);
+
 }  // namespace blysk

@@ -1,9 +1,10 @@
 // The tables and plots of the A-buffer's study.
 #include <algorithm>
 
+#include "blysk/image.h"
+#include "image/fragment_colors.h"
 #include "study/abuffer_results.h"
 #include "study/cells.h"
-#include "study/count_picture.h"
 #include "study/log_plot.h"
 
 namespace blysk::study {
@@ -26,8 +27,10 @@ std::vector<std::string> with_policies(std::vector<std::string> columns, std::sp
 }
 
 StudyPlot live_picture(const SceneResult& s) {
-  const Array<std::uint8_t> png =
-      encode_png(count_picture(s.live, s.width), {.compression = 6, .alpha = false});
+  Image image;
+  image.resize(s.width, static_cast<int>(s.live.size()) / s.width);
+  std::ranges::transform(s.live, image.pixels.begin(), fragment_color);
+  const Array<std::uint8_t> png = encode_png(image, {.compression = 6, .alpha = false});
   return {"abuffer-live-" + s.name + ".png",
           s.name + ": fragments that live at the end; 0 black, 1 blue, 2 green, 3 yellow, 4 orange, more red",
           std::string(png.begin(), png.end())};

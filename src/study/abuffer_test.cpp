@@ -7,7 +7,6 @@
 #include "blysk/study.h"
 #include "study/abuffer_results.h"
 #include "study/cells.h"
-#include "study/count_picture.h"
 #include "study/log_plot.h"
 
 namespace {
@@ -130,15 +129,6 @@ TEST(abuffer_turning, errors_are_those_of_its_frames) {
     EXPECT_LT(row.worst, 0.01);
     EXPECT_LT(row.flicker, 2 * row.worst);
   }
-}
-
-TEST(count_picture, colours_by_count) {
-  const blysk::Image image = count_picture({0, 1, 2, 3, 4, 5, 6, 60}, 4);
-  EXPECT_EQ(image.height, 2);
-  EXPECT_EQ(image.pixels[0], 0xff000000u);
-  EXPECT_EQ(image.pixels[5], image.pixels[7]);
-  EXPECT_EQ(image.pixels[6], image.pixels[7]);
-  EXPECT_NE(image.pixels[4], image.pixels[5]);
 }
 
 TEST(abuffer_study, unknown_scenes_and_models_are_refused) {

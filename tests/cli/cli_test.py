@@ -86,7 +86,8 @@ class Help(CommandTest):
                              f"run: blysk {subcommand} --markdown > docs/{page}")
 
     def test_every_example_of_an_option_works(self):
-        beside = {"target": ["--eye", "1,2,3"], "up": ["--eye", "1,2,3"], "point-light": ["--ambient=0"]}
+        beside = {"target": ["--eye", "1,2,3"], "up": ["--eye", "1,2,3"], "point-light": ["--ambient=0"],
+                  "aov-format": ["--aov=depth"]}
         for name, (_, _, example, users) in manual_rows().items():
             if not example or "render" not in users:
                 continue
@@ -179,6 +180,8 @@ class Usage(CommandTest):
         self.refuses("MODEL", "render", "-o", "a.png")
         self.refuses("--json", "render", "square.obj", "-o", "-", "--json")
         self.refuses("--aov", "render", "square.obj", "-o", "-", "--aov", "depth")
+        self.refuses("--aov-format", "render", "square.obj", "-o", "a.png", "--aov-format", "csv")
+        self.refuses("'csv'", "render", "square.obj", "-o", "a.png", "--aov", "depth", "--aov-format", "cvs")
         self.refuses("once", "render", "-", "-", "-o", "a.png")
         self.refuses("xyz", "render", "square.obj", "-o", "a.xyz")
         self.refuses("b.obj", "info", "square.obj", "b.obj")
@@ -269,6 +272,83 @@ class Render(CommandTest):
         self.render("square.obj", "--aov=id")
         self.assertEqual(read_png(self.read("out.id.png")).channels, 3)
 
+    def test_fragments_and_coverage_beside(self):
+        self.render("square.obj", "--aov=fragments,coverage,fragments", "--aov-format=csv,png", "--antialias=none")
+        self.assertEqual(sorted(os.listdir(self.folder)),
+                         ["out.coverage.csv", "out.coverage.png", "out.fragments.csv", "out.fragments.png", "out.png",
+                          "square.obj"])
+        picture, gray = read_png(self.read("out.fragments.png")), read_png(self.read("out.coverage.png"))
+        self.assertEqual((gray.width, gray.height), (32, 24))
+        self.assertGreater(picture.width, 32)  # the key
+        counts = [line.split(",") for line in self.read("out.fragments.csv").decode().splitlines()]
+        self.assertEqual((len(counts), {len(row) for row in counts}), (24, {32}))
+        self.assertEqual({word for row in counts for word in row}, {"0", "1"})
+        self.assertEqual(self.read("out.coverage.csv"), self.read("out.fragments.csv"))
+        for y in range(24):
+            for x in range(32):
+                shown = gray.bytes[gray.channels * (32 * y + x)]
+                self.assertEqual(shown, 255 * int(counts[y][x]))
+                first = picture.channels * (picture.width * y + x)
+                self.assertEqual(any(picture.bytes[first:first + 3]), counts[y][x] == "1")
+
+    def test_shares_of_samples_as_numbers(self):
+        self.render("square.obj", "--aov=fragments,coverage,depth", "--aov-format=csv,pfm")
+        coverage = [float(word) for word in self.read("out.coverage.csv").decode().replace("\n", ",").split(",")[:-1]]
+        self.assertLessEqual({16 * share for share in coverage}, set(range(17)))
+        self.assertGreater(len(set(coverage)), 3)
+        # PFM begins with the lowest row.
+        rows = [coverage[32 * y:32 * y + 32] for y in range(24)]
+        floats = read_netpbm(self.read("out.coverage.pfm"))[3]
+        self.assertEqual(struct.unpack("<768f", floats), tuple(share for row in reversed(rows) for share in row))
+        counts = [int(word) for word in self.read("out.fragments.csv").decode().replace("\n", ",").split(",")[:-1]]
+        self.assertEqual([n > 0 for n in counts], [share > 0 for share in coverage])
+        self.assertEqual(max(counts), 2)  # along the diagonal
+        depths = self.read("out.depth.csv").decode().replace("\n", ",").split(",")[:-1]
+        self.assertEqual([depth == "1" for depth in depths], [n == 0 for n in counts])
+
+    def test_statistics(self):
+        words = ("render", "shape:cube", "-o", "out.png", "--size=40x30", "--cull=none", "--statistics")
+        plain = self.render("shape:cube", "--cull=none", size="40x30")
+        output, errors = self.run_command(*words, "--json", "--aov=fragments", "--aov-format=csv,png")
+        self.assertEqual(self.read("out.png"), plain)
+        data = json.loads(output)
+        self.assertEqual(data["aov"], {"fragments": ["out.fragments.csv", "out.fragments.png"]})
+        fragments = data["fragments"]
+        counts = [int(word) for word in self.read("out.fragments.csv").decode().replace("\n", ",").split(",")[:-1]]
+        self.assertEqual(fragments["live"]["total"], sum(counts))
+        self.assertEqual(data["pixels"]["covered"], 1200 - counts.count(0))
+        self.assertEqual(fragments["live"]["histogram"], [[n, counts.count(n)] for n in sorted(set(counts))])
+        self.assertEqual(fragments["live"]["most"], max(counts))
+        self.assertEqual(fragments["live"]["mean"], sum(counts) / 1200)
+        self.assertEqual(fragments["live"]["p99"], sorted(counts)[1199 * 99 // 100])
+        self.assertEqual(fragments["generated"]["total"] - fragments["hidden"], sum(counts))
+        self.assertGreater(fragments["hidden"], 100)  # what faces away
+        self.assertNotIn("most_live", fragments)
+        self.assertNotIn("buffers", data["memory"])
+        self.assertRegex(errors, r"fragments a pixel +mean +99 % +most +all\ngenerated +[\d.]+ .*\nlive at the end .*\n"
+                                 r"[\d.]+ % hidden\n")
+        self.assertEqual(self.run_command(*words, "-q"), (b"", ""))
+        data = json.loads(self.run_command("render", "shape:cube", "-o", "out.png", "--size=40x30", "--json")[0])
+        self.assertNotIn("generated", data["fragments"])
+
+    def test_lists_tell_what_they_hold(self):
+        words = ("render", "shape:cube", "-o", "out.png", "--size=128x64", "--antialias=abuffer-pool:pool=100")
+        output, errors = self.run_command(*words, "--statistics", "--json", "-v")
+        data = json.loads(output)
+        fragments, buffers = data["fragments"], data["memory"]["buffers"]
+        self.assertEqual(fragments["hidden"], fragments["hidden_on_arrival"] + fragments["removed_later"])
+        self.assertEqual(fragments["most_live"]["most"], fragments["most_at_once"])
+        self.assertGreaterEqual(fragments["most_live"]["total"], fragments["live"]["total"])
+        self.assertEqual(buffers["paper_bits"], {"main": 128 * 64 * (112 + 2 * 7), "common": 2 * 100 * 112})
+        self.assertEqual((buffers["pool"]["tiles"], buffers["pool"]["slots"]), (2, 100))
+        self.assertLessEqual(buffers["pool"]["fullest"], 100)
+        self.assertRegex(errors, r"hidden: [\d.]+ % on arrival, [\d.]+ % later\nbuffers for all pixels: main .*\n"
+                                 r"2 pools of 100 slots, the fullest with \d+\n")
+        # Totals cost nothing: they are there without --statistics too.
+        plain = json.loads(self.run_command(*words, "--json")[0])
+        self.assertEqual(plain["fragments"]["hidden_on_arrival"], fragments["hidden_on_arrival"])
+        self.assertEqual(plain["memory"]["buffers"], buffers)
+
     def test_several_models(self):
         output, _ = self.run_command("render", "square.obj", "shape:cube", "-o", "a.png", "--size=16x16", "--json")
         self.assertEqual(json.loads(output)["triangles"]["in"], 14)
@@ -341,6 +421,9 @@ class Failures(CommandTest):
         self.assertIn("--max-triangles", self.fails(5, "render", "shape:sphere", "-o", "a.png", "--max-triangles", "5"))
         self.fails(5, "render", "square.obj", "square.obj", "-o", "a.png", "--max-triangles", "3")
         self.fails(5, "info", "square.obj", "--max-triangles", "1")
+        wide = ("render", "square.obj", "-o", "a.png", "--size=16384x1", "--aov=fragments", "-q")
+        self.assertIn("--aov-format", self.fails(5, *wide))
+        self.run_command(*wide, "--aov-format=csv")
         self.fails(5, "render", "shape:sphere?detail=300", "-o", "a.png", "--max-memory", "1K")
 
     def test_reader_gone(self):
