@@ -14,11 +14,11 @@ constexpr std::size_t kBlock = std::size_t{1} << 14;
 enum class Verdict { good, out_of_range, not_finite, degenerate };
 
 // Without branches until the end: on scans that lie on a grid, coordinates agree as often as not.
-Verdict judge(const Array<Vec3f>& positions, std::size_t vertices, const std::uint32_t* corner) {
+Verdict judge(const Vec3f* positions, std::size_t vertices, const std::uint32_t* corner) {
   if (corner[0] >= vertices || corner[1] >= vertices || corner[2] >= vertices) return Verdict::out_of_range;
-  const Float4 a = load4(positions, corner[0]);
-  const Float4 b = load4(positions, corner[1]);
-  const Float4 c = load4(positions, corner[2]);
+  const Float4 a = load4(positions + corner[0]);
+  const Float4 b = load4(positions + corner[1]);
+  const Float4 c = load4(positions + corner[2]);
   const Mask4 finite = all3(a - a + (b - b) + (c - c) == Float4{});  // what is not finite gives NaN
   if (finite[0] == 0) return Verdict::not_finite;
   const Mask4 coincide = all3(a == b) | all3(b == c) | all3(c == a);
@@ -35,11 +35,14 @@ struct Findings {
 Findings judge_block(const Mesh& mesh, std::size_t begin, std::size_t end, Array<std::uint8_t>& used) {
   Findings found;
   const std::size_t vertices = mesh.positions.size();
+  const Vec3f* positions =
+      mesh.positions.data();  // here, lest every mark written below could have moved them
+  std::uint8_t* marks = used.data();
   for (std::size_t triangle = begin; triangle < end; ++triangle) {
     const std::uint32_t* corner = mesh.indices.data() + 3 * triangle;
-    const Verdict verdict = judge(mesh.positions, vertices, corner);
+    const Verdict verdict = judge(positions, vertices, corner);
     if (verdict == Verdict::good) {
-      used[corner[0]] = used[corner[1]] = used[corner[2]] = 1;
+      marks[corner[0]] = marks[corner[1]] = marks[corner[2]] = 1;
     } else {
       ++found.count[static_cast<int>(verdict)];
       found.bad.push_back(triangle);

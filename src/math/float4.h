@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstring>
 
-#include "blysk/array.h"
 #include "blysk/vector.h"
 
 namespace blysk {
@@ -15,10 +14,10 @@ namespace blysk {
 using Float4 = float __attribute__((vector_size(16)));
 using Mask4 = std::int32_t __attribute__((vector_size(16)));  ///< of a comparison: 0 or -1 in each lane
 
-/// x, y, z and what lies behind them: an Array may be read 16 bytes past its end.
-inline Float4 load4(const Array<Vec3f>& values, std::size_t i) {
+/// x, y, z of an Array's element and what lies behind them: an Array may be read 16 bytes past its end.
+inline Float4 load4(const Vec3f* element) {
   Float4 v;
-  std::memcpy(&v, reinterpret_cast<const char*>(values.data() + i), sizeof v);
+  std::memcpy(&v, reinterpret_cast<const char*>(element), sizeof v);
   return v;
 }
 

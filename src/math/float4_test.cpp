@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
+
+#include "blysk/array.h"
 
 namespace blysk {
 namespace {
@@ -19,7 +22,7 @@ Array<Vec3f> random_vectors(std::size_t count) {
 TEST(float4, products_have_the_bits_of_those_of_vectors) {
   const Array<Vec3f> v = random_vectors(4000);
   for (std::size_t i = 0; i + 3 < v.size(); i += 4) {
-    const Float4 a = load4(v, i), b = load4(v, i + 1), c = load4(v, i + 2), d = load4(v, i + 3);
+    const Float4 a = load4(&v[i]), b = load4(&v[i + 1]), c = load4(&v[i + 2]), d = load4(&v[i + 3]);
     ASSERT_EQ(to_vector(cross(a, b)), cross(v[i], v[i + 1]));
     const Float4 products = dots(a, b, c, d);
     ASSERT_EQ(products[0], dot(v[i], v[i + 1]));

@@ -1,5 +1,5 @@
-// Points that share no bit of a small table with another one differ from all others: only the rest, a tenth
-// where all differ, goes through the hash table of weld.cpp.
+// Points that share no bit of a small table with another one differ from all others. The rest, a tenth where
+// all differ, tries once more with other bits, and only what is left goes through the hash table of weld.cpp.
 #include "scene/first_equals.h"
 
 #include <algorithm>
@@ -17,6 +17,7 @@ constexpr std::size_t kMostParts = 4;          // each has tables of its own
 constexpr std::size_t kPointsPerPart = 50000;  // fewer are not worth a thread
 constexpr std::size_t kBlock = std::size_t{1} << 15;
 constexpr std::size_t kBitsPerPoint = 8;
+constexpr std::uint64_t kFactors[] = {0x9e3779b97f4a7c15u, 0xc2b2ae3d27d4eb4fu};
 
 // One bit for each value of a hash.
 class Bits {
@@ -45,8 +46,9 @@ struct Part {
 
 class Hash {
  public:
-  explicit Hash(std::size_t points)
-      : bits_(static_cast<int>(std::bit_width(std::max<std::size_t>(points, 64) * kBitsPerPoint - 1))) {}
+  Hash(std::size_t points, std::uint64_t factor)
+      : factor_(factor),
+        bits_(static_cast<int>(std::bit_width(std::max<std::size_t>(points, 64) * kBitsPerPoint - 1))) {}
 
   [[nodiscard]] std::size_t values() const { return std::size_t{1} << bits_; }
   [[nodiscard]] std::size_t operator()(const Vec3f& p) const {
@@ -54,12 +56,13 @@ class Hash {
     const std::uint64_t x = std::bit_cast<std::uint32_t>(p.x + 0.0f);
     const std::uint64_t y = std::bit_cast<std::uint32_t>(p.y + 0.0f);
     const std::uint64_t z = std::bit_cast<std::uint32_t>(p.z + 0.0f);
-    std::uint64_t h = (x | y << 32) * 0x9e3779b97f4a7c15u;
+    std::uint64_t h = (x | y << 32) * factor_;
     h = (h ^ (h >> 32) ^ z) * 0xd6e8feb86659fd93u;
     return static_cast<std::size_t>(h >> (64 - bits_));
   }
 
  private:
+  std::uint64_t factor_;
   int bits_;
 };
 
@@ -90,8 +93,8 @@ Bits shared_hashes(const Array<Vec3f>& points, const Hash& hash, ThreadPool& poo
 }
 
 // The points whose hash another one has, ascending.
-Array<std::uint32_t> suspects(const Array<Vec3f>& points, ThreadPool& pool) {
-  const Hash hash(points.size());
+Array<std::uint32_t> suspects(const Array<Vec3f>& points, std::uint64_t factor, ThreadPool& pool) {
+  const Hash hash(points.size(), factor);
   const Bits shared = shared_hashes(points, hash, pool);
   std::vector<Array<std::uint32_t>> found((points.size() + kBlock - 1) / kBlock);
   pool.for_each(found.size(), [&](int, std::size_t block) {
@@ -108,12 +111,21 @@ Array<std::uint32_t> suspects(const Array<Vec3f>& points, ThreadPool& pool) {
   return all;
 }
 
+template <class T>
+Array<T> pick(const Array<T>& values, const Array<std::uint32_t>& which) {
+  Array<T> picked(which.size());
+  for (std::size_t i = 0; i < which.size(); ++i) picked[i] = values[which[i]];
+  return picked;
+}
+
 }  // namespace
 
 Array<std::uint32_t> first_equals(const Array<Vec3f>& points, ThreadPool& pool) {
-  const Array<std::uint32_t> suspected = suspects(points, pool);
-  Array<Vec3f> places(suspected.size());
-  for (std::size_t i = 0; i < suspected.size(); ++i) places[i] = points[suspected[i]];
+  Array<std::uint32_t> suspected = suspects(points, kFactors[0], pool);
+  Array<Vec3f> places = pick(points, suspected);
+  const Array<std::uint32_t> again = suspects(places, kFactors[1], pool);
+  suspected = pick(suspected, again);
+  places = pick(places, again);
   const WeldedIds welded = weld_ids({reinterpret_cast<const std::byte*>(places.data()), places.size()}, pool);
   if (welded.count == suspected.size()) return {};
 

@@ -48,37 +48,46 @@ float scale_of(const Array<Vec3f>& positions) {
   return std::bit_cast<float>(static_cast<std::uint32_t>(std::clamp(254 - exponent, 1, 253)) << 23);
 }
 
-// What all passes look at.
+// What all passes look at. Loops take a copy of their own: of others the compiler must think that what they
+// write could change it.
 struct Surface {
-  const Mesh& mesh;
-  Array<std::uint32_t> places;  // per vertex; empty: every vertex is its own place
+  const std::uint32_t* indices;
+  std::size_t triangles;
+  const Vec3f* positions;
+  std::size_t vertices;
+  const std::uint32_t* places;  // per vertex; null: every vertex is its own place
   float scale;
 
-  Surface(const Mesh& m, ThreadPool& pool)
-      : mesh(m), places(first_equals(m.positions, pool)), scale(scale_of(m.positions)) {}
+  Surface(const Mesh& mesh, const Array<std::uint32_t>& firsts)
+      : indices(mesh.indices.data()),
+        triangles(mesh.triangles()),
+        positions(mesh.positions.data()),
+        vertices(mesh.positions.size()),
+        places(firsts.empty() ? nullptr : firsts.data()),
+        scale(scale_of(mesh.positions)) {}
 
   std::uint32_t place(std::size_t corner) const {
-    const std::uint32_t vertex = mesh.indices[corner];
-    return places.empty() ? vertex : places[vertex];
+    const std::uint32_t vertex = indices[corner];
+    return places == nullptr ? vertex : places[vertex];
   }
   // Asks for the positions of a later triangle: indices say where, before anything else can know.
   void expect(std::size_t triangle) const {
-    if (triangle >= mesh.triangles()) return;
-    const std::uint32_t* corner = mesh.indices.data() + 3 * triangle;
-    for (int k = 0; k < 3; ++k) __builtin_prefetch(mesh.positions.data() + corner[k]);
+    if (triangle >= triangles) return;
+    const std::uint32_t* corner = indices + 3 * triangle;
+    for (int k = 0; k < 3; ++k) __builtin_prefetch(positions + corner[k]);
   }
   // Along the normal, as long as twice the triangle's scaled area.
   Float4 face_normal(std::size_t triangle) const {
-    const std::uint32_t* corner = mesh.indices.data() + 3 * triangle;
-    const Float4 a = load4(mesh.positions, corner[0]) * scale;
-    return cross(load4(mesh.positions, corner[1]) * scale - a, load4(mesh.positions, corner[2]) * scale - a);
+    const std::uint32_t* corner = indices + 3 * triangle;
+    const Float4 a = load4(positions + corner[0]) * scale;
+    return cross(load4(positions + corner[1]) * scale - a, load4(positions + corner[2]) * scale - a);
   }
 };
 
 // Memory for the sums of a block of places, many blocks an allocation.
 class Slabs {
  public:
-  static constexpr std::size_t kPlaces = 1024;
+  static constexpr std::size_t kPlaces = 256;
 
   explicit Slabs(std::size_t places) : blocks_(std::min(places / kPlaces + 1, kMostBlocks)) {}
 
@@ -93,7 +102,7 @@ class Slabs {
   }
 
  private:
-  static constexpr std::size_t kMostBlocks = 128;  // two megabytes: a huge page
+  static constexpr std::size_t kMostBlocks = 512;  // two megabytes: a huge page
   std::size_t blocks_;
   std::vector<Array<Float4>> slabs_;
   std::size_t left_ = 0;
@@ -105,8 +114,8 @@ struct Part {
   std::size_t begin, end;       // triangles
   std::vector<Float4*> blocks;  // null: no triangle of the part has a place there
 
-  void add_up(const Surface& surface, Slabs& slabs) {
-    blocks.assign(surface.mesh.positions.size() / Slabs::kPlaces + 1, nullptr);
+  void add_up(const Surface surface, Slabs& slabs) {
+    blocks.assign(surface.vertices / Slabs::kPlaces + 1, nullptr);
     for (std::size_t triangle = begin; triangle < end; ++triangle) {
       surface.expect(triangle + kAhead);
       const Float4 normal = surface.face_normal(triangle);
@@ -123,10 +132,10 @@ struct Part {
 // The unit normal of every place, at its first vertex; zero where its faces cancel out or there are none. The
 // parts, and with them the order of the additions, depend on the mesh alone.
 Array<Vec3f> place_normals(const Surface& surface, ThreadPool& pool) {
-  const std::size_t triangles = surface.mesh.triangles();
+  const std::size_t triangles = surface.triangles;
   const std::size_t count = std::clamp<std::size_t>(triangles / kTrianglesPerPart, 1, kMostParts);
   std::vector<Part> parts(count);
-  std::vector<Slabs> slabs(static_cast<std::size_t>(pool.size()), Slabs(surface.mesh.positions.size()));
+  std::vector<Slabs> slabs(static_cast<std::size_t>(pool.size()), Slabs(surface.vertices));
   pool.for_each(count, [&](int worker, std::size_t i) {
     parts[i].begin = triangles * i / count;
     parts[i].end = triangles * (i + 1) / count;
@@ -134,7 +143,8 @@ Array<Vec3f> place_normals(const Surface& surface, ThreadPool& pool) {
   });
 
   Array<Vec3f> normals;
-  normals.resize(surface.mesh.positions.size());
+  normals.reserve(with_room_for_creases(surface.vertices));
+  normals.resize(surface.vertices);
   pool.for_each((normals.size() + Slabs::kPlaces - 1) / Slabs::kPlaces, [&](int, std::size_t block) {
     const std::size_t first = block * Slabs::kPlaces, end = std::min(normals.size(), first + Slabs::kPlaces);
     for (std::size_t place = first; place < end; ++place) {
@@ -149,22 +159,23 @@ Array<Vec3f> place_normals(const Surface& surface, ThreadPool& pool) {
 }
 
 // Marks the places where a face leans away from the normal by more than half the crease.
-Array<std::uint8_t> find_creases(const Surface& surface, const Array<Vec3f>& normals, double crease_deg,
+Array<std::uint8_t> find_creases(const Surface& whole, const Array<Vec3f>& normals, double crease_deg,
                                  ThreadPool& pool) {
   Array<std::uint8_t> marks;
   marks.resize(normals.size(), std::uint8_t{0});
   const auto cosine_half = static_cast<float>(cosine(radians(crease_deg / 2)));
   const float limit = cosine_half * cosine_half;
-  const std::size_t triangles = surface.mesh.triangles();
-  pool.for_each((triangles + kBlock - 1) / kBlock, [&](int, std::size_t block) {
-    const std::size_t end = std::min(triangles, (block + 1) * kBlock);
+  pool.for_each((whole.triangles + kBlock - 1) / kBlock, [&](int, std::size_t block) {
+    const Surface surface = whole;
+    const Vec3f* normal = normals.data();
+    const std::size_t end = std::min(surface.triangles, (block + 1) * kBlock);
     for (std::size_t triangle = block * kBlock; triangle < end; ++triangle) {
       const std::uint32_t place[3] = {surface.place(3 * triangle), surface.place(3 * triangle + 1),
                                       surface.place(3 * triangle + 2)};
       surface.expect(triangle + kAhead);
       const Float4 face = surface.face_normal(triangle);
       const Float4 d =
-          dots(face, load4(normals, place[0]), load4(normals, place[1]), load4(normals, place[2]));
+          dots(face, load4(normal + place[0]), load4(normal + place[1]), load4(normal + place[2]));
       const Mask4 leans = d * magnitude(d) < limit * d[3];
       if (none4(leans)) continue;
       for (int k = 0; k < 3; ++k) {
@@ -183,8 +194,10 @@ class Splitter {
 
   void run(const Array<std::uint8_t>& marks, ThreadPool& pool) {
     collect_corners(marks, pool);
+    make_corner_normals(pool);
     for (std::size_t i = 0; i + 1 < starts_.size(); ++i) {
-      split_place({corners_.data() + starts_[i], corners_.data() + starts_[i + 1]});
+      given_.clear();
+      for (std::size_t k = starts_[i]; k < starts_[i + 1]; ++k) assign(corners_[k], corner_normals_[k]);
     }
     // Only now: until here the triangles are looked at as they were.
     for (const Change& change : changes_) mesh_.indices[change.corner] = change.index;
@@ -204,6 +217,19 @@ class Splitter {
   };
   struct Change {
     std::uint32_t corner, index;
+  };
+  // Of one place: normals as long as the faces are large, and of length one.
+  struct Faces {
+    std::vector<Vec3f> normals, units;
+
+    void clear() {
+      normals.clear();
+      units.clear();
+    }
+    void add(Vec3f normal) {
+      normals.push_back(normal);
+      units.push_back(unit_or_zero(normal));
+    }
   };
 
   // All corners at marked places, ascending.
@@ -246,29 +272,35 @@ class Splitter {
     starts_.pop_back();
   }
 
-  void split_place(std::span<const std::uint32_t> corners) {
-    faces_.clear();
-    units_.clear();
-    given_.clear();
-    for (const std::uint32_t corner : corners) {
-      faces_.push_back(to_vector(surface_.face_normal(corner / 3)));
-      units_.push_back(unit_or_zero(faces_.back()));
-    }
-    if (corners.empty()) return;
-    const Vec3f average = mesh_.normals[surface_.place(corners[0])];  // before it changes
-    for (std::size_t i = 0; i < corners.size(); ++i) assign(corners[i], corner_normal(i, average));
+  void make_corner_normals(ThreadPool& pool) {
+    constexpr std::size_t kPlaces = 256;
+    corner_normals_.resize(corners_.size());
+    const std::size_t places = starts_.size() - 1;
+    pool.for_each((places + kPlaces - 1) / kPlaces, [&](int, std::size_t block) {
+      Faces faces;
+      for (std::size_t i = block * kPlaces; i < std::min(places, (block + 1) * kPlaces); ++i) {
+        const std::span corners(corners_.data() + starts_[i], corners_.data() + starts_[i + 1]);
+        faces.clear();
+        for (const std::uint32_t corner : corners) faces.add(to_vector(surface_.face_normal(corner / 3)));
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+          corner_normals_[starts_[i] + k] =
+              corner_normal(faces, k, mesh_.normals[surface_.place(corners[k])]);
+        }
+      }
+    });
   }
 
   // The sum of the faces within the crease of face `i`; `average` where that has no direction.
-  Vec3f corner_normal(std::size_t i, Vec3f average) const {
-    if (is_zero(units_[i])) return average;
-    if (faces_.size() > kMostFaces) return units_[i];
+  Vec3f corner_normal(const Faces& faces, std::size_t i, Vec3f average) const {
+    const std::vector<Vec3f>& units = faces.units;
+    if (is_zero(units[i])) return average;
+    if (units.size() > kMostFaces) return units[i];
     Vec3f sum;
-    for (std::size_t j = 0; j < faces_.size(); ++j) {
-      if (j == i || dot(units_[i], units_[j]) >= cosine_crease_) sum = sum + faces_[j];
+    for (std::size_t j = 0; j < units.size(); ++j) {
+      if (j == i || dot(units[i], units[j]) >= cosine_crease_) sum = sum + faces.normals[j];
     }
     const Vec3f unit = unit_or_zero(sum);
-    return is_zero(unit) ? units_[i] : unit;
+    return is_zero(unit) ? units[i] : unit;
   }
 
   // The first normal of a vertex stays with it; further ones get a copy of it.
@@ -313,8 +345,8 @@ class Splitter {
   float cosine_crease_;
   std::vector<std::size_t> starts_;
   Array<std::uint32_t> corners_;
-  std::vector<Vec3f> faces_, units_;
-  std::vector<Given> given_;
+  Array<Vec3f> corner_normals_;
+  std::vector<Given> given_;  // at the place that is looked at
   std::vector<Change> changes_;
   Array<std::uint32_t> copies_;  // vertices to copy, in the order of their new indices
   Array<Vec3f> copy_normals_;
@@ -330,7 +362,7 @@ void give_all_vertices(Array<Vec3f>& normals, const Surface& surface, ThreadPool
     });
   };
   each([&](std::size_t vertex) { normals[vertex] = or_up(normals[vertex]); });
-  if (surface.places.empty()) return;
+  if (surface.places == nullptr) return;
   each([&](std::size_t vertex) {
     const std::uint32_t place = surface.places[vertex];
     if (place != vertex) normals[vertex] = normals[place];
@@ -342,7 +374,8 @@ void give_all_vertices(Array<Vec3f>& normals, const Surface& surface, ThreadPool
 void make_normals(Mesh& mesh, double crease_deg, ThreadPool& pool) {
   mesh.normals = {};
   if (!(crease_deg > 0) || mesh.indices.empty()) return;
-  const Surface surface(mesh, pool);
+  const Array<std::uint32_t> firsts = first_equals(mesh.positions, pool);
+  const Surface surface(mesh, firsts);
   mesh.normals = place_normals(surface, pool);
   Array<std::uint8_t> marks;
   if (crease_deg < 180) marks = find_creases(surface, mesh.normals, crease_deg, pool);
@@ -365,7 +398,8 @@ void mend_normals(Mesh& mesh) {
     if (!is_zero(normal)) continue;
     if (made.empty()) {
       ThreadPool pool(1);
-      const Surface surface(mesh, pool);
+      const Array<std::uint32_t> firsts = first_equals(mesh.positions, pool);
+      const Surface surface(mesh, firsts);
       made = place_normals(surface, pool);
       give_all_vertices(made, surface, pool);
     }
