@@ -1,80 +1,129 @@
-#include <cmath>
+// Blocks of triangles are judged in parallel; only where some are bad, the good ones move together.
+#include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "io/reader.h"
+#include "math/float4.h"
 
 namespace blysk::io {
 namespace {
 
-constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kBlock = std::size_t{1} << 14;
 
 enum class Verdict { good, out_of_range, not_finite, degenerate };
 
-bool is_finite(Vec3f p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
-Verdict judge(const Mesh& mesh, const std::uint32_t* corner) {
-  const std::size_t vertices = mesh.positions.size();
+// Without branches until the end: on scans that lie on a grid, coordinates agree as often as not.
+Verdict judge(const Vec3f* positions, std::size_t vertices, const std::uint32_t* corner) {
   if (corner[0] >= vertices || corner[1] >= vertices || corner[2] >= vertices) return Verdict::out_of_range;
-  const Vec3f& a = mesh.positions[corner[0]];
-  const Vec3f& b = mesh.positions[corner[1]];
-  const Vec3f& c = mesh.positions[corner[2]];
-  if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return Verdict::not_finite;
-  return a == b || b == c || c == a ? Verdict::degenerate : Verdict::good;
+  const Float4 a = load4(positions + corner[0]);
+  const Float4 b = load4(positions + corner[1]);
+  const Float4 c = load4(positions + corner[2]);
+  const Mask4 finite = all3(a - a + (b - b) + (c - c) == Float4{});  // what is not finite gives NaN
+  if (finite[0] == 0) return Verdict::not_finite;
+  const Mask4 coincide = all3(a == b) | all3(b == c) | all3(c == a);
+  return coincide[0] != 0 ? Verdict::degenerate : Verdict::good;
 }
 
-struct Counts {
-  std::size_t of[4] = {};
+// What was found in some triangles.
+struct Findings {
+  std::size_t count[4] = {};  // of each verdict
+  Array<std::size_t> bad;     // triangles, ascending
 };
 
-// Keeps the good triangles, in order, and marks their vertices.
-Counts keep_good(Mesh& mesh, Array<std::uint32_t>& used) {
-  Counts counts;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const Verdict verdict = judge(mesh, &mesh.indices[i]);
-    ++counts.of[static_cast<int>(verdict)];
-    if (verdict != Verdict::good) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t vertex = mesh.indices[i + k];
-      if (kept != i) mesh.indices[kept + k] = vertex;
-      used[vertex] = 0;
+// Judges the triangles from `begin` to `end`; marks the vertices of the good ones.
+Findings judge_block(const Mesh& mesh, std::size_t begin, std::size_t end, Array<std::uint8_t>& used) {
+  Findings found;
+  const std::size_t vertices = mesh.positions.size();
+  const Vec3f* positions =
+      mesh.positions.data();  // here, lest every mark written below could have moved them
+  std::uint8_t* marks = used.data();
+  for (std::size_t triangle = begin; triangle < end; ++triangle) {
+    const std::uint32_t* corner = mesh.indices.data() + 3 * triangle;
+    const Verdict verdict = judge(positions, vertices, corner);
+    if (verdict == Verdict::good) {
+      marks[corner[0]] = marks[corner[1]] = marks[corner[2]] = 1;
+    } else {
+      ++found.count[static_cast<int>(verdict)];
+      found.bad.push_back(triangle);
     }
-    kept += 3;
   }
-  mesh.indices.resize(kept);
-  return counts;
+  return found;
+}
+
+// Judges all triangles; `used` becomes 1 for the vertices of good ones, and 0.
+Findings judge_all(const Mesh& mesh, Array<std::uint8_t>& used, ThreadPool& pool) {
+  const std::size_t triangles = mesh.triangles(), vertices = mesh.positions.size();
+  std::vector<Findings> blocks((triangles + kBlock - 1) / kBlock);
+  std::vector<Array<std::uint8_t>> used_by(static_cast<std::size_t>(pool.size()));
+  pool.for_each(blocks.size(), [&](int worker, std::size_t block) {
+    Array<std::uint8_t>& own = used_by[static_cast<std::size_t>(worker)];
+    if (own.empty()) own.resize(vertices, std::uint8_t{0});
+    blocks[block] = judge_block(mesh, block * kBlock, std::min(triangles, (block + 1) * kBlock), own);
+  });
+
+  Findings all;
+  for (const Findings& block : blocks) {
+    for (std::size_t v = 0; v < std::size(all.count); ++v) all.count[v] += block.count[v];
+    all.bad.insert(all.bad.end(), block.bad.begin(), block.bad.end());
+  }
+  for (Array<std::uint8_t>& own : used_by) {
+    if (own.empty()) continue;
+    if (used.empty()) {
+      used = std::move(own);
+    } else {
+      for (std::size_t i = 0; i < vertices; ++i) used[i] |= own[i];
+    }
+  }
+  if (used.empty()) used.resize(vertices, std::uint8_t{0});
+  return all;
+}
+
+void remove_triangles(Array<std::uint32_t>& indices, const Array<std::size_t>& bad) {
+  if (bad.empty()) return;
+  const auto corners_of = [&](std::size_t triangle) {
+    return indices.begin() + 3 * static_cast<std::ptrdiff_t>(triangle);
+  };
+  auto to = corners_of(bad.front());
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    const std::size_t next = i + 1 < bad.size() ? bad[i + 1] : indices.size() / 3;
+    to = std::copy(corners_of(bad[i] + 1), corners_of(next), to);
+  }
+  indices.erase(to, indices.end());
 }
 
 template <class T>
-void keep_used(Array<T>& values, const Array<std::uint32_t>& used) {
+void keep_used(Array<T>& values, const Array<std::uint8_t>& used) {
   if (values.empty()) return;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (used[i] != kUnused) values[kept++] = values[i];
+    if (used[i] != 0) values[kept++] = values[i];
   }
   values.resize(kept);
 }
 
-void drop_unused(Mesh& mesh, Array<std::uint32_t>& used) {
+void drop_unused(Mesh& mesh, const Array<std::uint8_t>& used) {
+  if (std::find(used.begin(), used.end(), std::uint8_t{0}) == used.end()) return;
+  Array<std::uint32_t> places(used.size());
   std::uint32_t next = 0;
-  for (std::uint32_t& place : used) {
-    if (place != kUnused) place = next++;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    places[i] = next;
+    next += used[i];
   }
-  if (next == used.size()) return;
   keep_used(mesh.positions, used);
   keep_used(mesh.normals, used);
   keep_used(mesh.colors, used);
   keep_used(mesh.texcoords, used);
   keep_used(mesh.texcoords1, used);
   keep_used(mesh.tangents, used);
-  for (std::uint32_t& vertex : mesh.indices) vertex = used[vertex];
+  for (std::uint32_t& vertex : mesh.indices) vertex = places[vertex];
 }
 
-std::string sentence(const Mesh& mesh, const Counts& counts) {
+std::string sentence(const Mesh& mesh, const Findings& findings) {
   constexpr const char* kKinds[] = {"", "out-of-range", "non-finite", "degenerate"};
   std::string text;
   for (const Verdict verdict : {Verdict::degenerate, Verdict::not_finite, Verdict::out_of_range}) {
-    const std::size_t count = counts.of[static_cast<int>(verdict)];
+    const std::size_t count = findings.count[static_cast<int>(verdict)];
     if (count == 0) continue;
     text += (text.empty() ? "" : " and ") + std::to_string(count) + " " + kKinds[static_cast<int>(verdict)];
   }
@@ -84,12 +133,17 @@ std::string sentence(const Mesh& mesh, const Counts& counts) {
 
 }  // namespace
 
-void drop_bad_triangles(Mesh& mesh, std::vector<std::string>& problems) {
-  Array<std::uint32_t> used;
-  used.resize(mesh.positions.size(), kUnused);
-  const Counts counts = keep_good(mesh, used);
-  if (std::string text = sentence(mesh, counts); !text.empty()) problems.push_back(std::move(text));
+void drop_bad_triangles(Mesh& mesh, std::vector<std::string>& problems, ThreadPool& pool) {
+  Array<std::uint8_t> used;
+  const Findings findings = judge_all(mesh, used, pool);
+  if (std::string text = sentence(mesh, findings); !text.empty()) problems.push_back(std::move(text));
+  remove_triangles(mesh.indices, findings.bad);
   drop_unused(mesh, used);
+}
+
+void drop_bad_triangles(Mesh& mesh, std::vector<std::string>& problems) {
+  ThreadPool pool(1);
+  drop_bad_triangles(mesh, problems, pool);
 }
 
 }  // namespace blysk::io

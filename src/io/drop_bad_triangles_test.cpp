@@ -1,4 +1,5 @@
 #include <limits>
+#include <set>
 
 #include "io/reader.h"
 #include "io/testing.h"
@@ -32,6 +33,36 @@ TEST(drop_bad_triangles, each_kind_and_the_vertices_nobody_uses) {
   EXPECT_EQ(mesh.tangents[3].x, 6);
   drop_bad_triangles(mesh, problems);
   EXPECT_EQ(problems.size(), 1u);
+}
+
+// A grid of squares, every seventh triangle spoilt in its own way: the same remains with any number of
+// threads.
+TEST(drop_bad_triangles, threads_leave_no_trace) {
+  constexpr std::uint32_t kSide = 200;
+  Mesh grid;
+  for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+    grid.positions.push_back({static_cast<float>(i % kSide), static_cast<float>(i / kSide), 0});
+  }
+  Array<std::uint32_t> good;
+  grid.positions.push_back({0, std::numeric_limits<float>::infinity(), 0});
+  for (std::uint32_t i = 0; i + kSide + 1 < kSide * kSide; ++i) {
+    std::uint32_t triangle[3] = {i, i + 1, i + kSide};
+    if (i % 7 == 0) triangle[i % 3] = i % 2 == 0 ? kSide * kSide + i % 4 / 2 : triangle[(i + 1) % 3];
+    grid.indices.insert(grid.indices.end(), triangle, triangle + 3);
+    if (i % 7 != 0) good.insert(good.end(), triangle, triangle + 3);
+  }
+  for (const int threads : {1, 2, 7}) {
+    Mesh mesh = grid;
+    std::vector<std::string> problems;
+    ThreadPool pool(threads);
+    drop_bad_triangles(mesh, problems, pool);
+    EXPECT_EQ(mesh.positions.size(), std::set(good.begin(), good.end()).size());
+    ASSERT_EQ(mesh.indices.size(), good.size());
+    for (std::size_t i = 0; i < good.size(); ++i) {
+      ASSERT_EQ(mesh.positions[mesh.indices[i]], grid.positions[good[i]]);
+    }
+    EXPECT_EQ(problems.size(), 1u);
+  }
 }
 
 TEST(drop_bad_triangles, nothing_at_all) {

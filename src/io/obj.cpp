@@ -1,6 +1,7 @@
 // Wavefront OBJ: polygons with materials. Free-form curves and surfaces, points and lines are left out.
 //
 // Groups do not become meshes: a mesh is all that has one material, so that draws stay few.
+#include <algorithm>
 #include <map>
 
 #include "io/mtl.h"
@@ -132,10 +133,13 @@ Result<Scene> read_obj(const Source& source) {
   std::vector<Mesh> meshes = make_meshes(std::move(*file), parts, normals);
 
   MaterialList materials(library, scene);
+  std::size_t largest = 0;
+  for (const Mesh& mesh : meshes) largest = std::max(largest, mesh.triangles());
+  ThreadPool pool(largest < kTrianglesWorthThreads ? 1 : options.threads);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     Mesh& mesh = meshes[i];
     mesh.name = printable(parts[i].material.empty() ? object : parts[i].material);
-    drop_bad_triangles(mesh, scene.problems);
+    drop_bad_triangles(mesh, scene.problems, pool);
     if (mesh.indices.empty()) continue;
     mend_normals(mesh);
     Instance instance;

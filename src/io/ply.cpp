@@ -312,7 +312,7 @@ class PlyReader {
       scene_.problems.push_back(std::to_string(mesh_.positions.size()) + " points without faces");
     }
     if (!mesh_.indices.empty() && faces_.sizes.empty()) {
-      drop_bad_triangles(mesh_, scene_.problems);
+      drop_bad_triangles(mesh_, scene_.problems, pool_);
     } else {
       append_strips();
       if (Status s = add_faces(source_, std::move(faces_), mesh_, scene_.problems); !s) return s.error();

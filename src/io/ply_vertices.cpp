@@ -7,6 +7,7 @@
 
 #include "io/ply_values.h"
 #include "math/srgb.h"
+#include "scene/normals.h"
 
 namespace blysk::io {
 namespace {
@@ -121,8 +122,10 @@ std::uint64_t PlyVertices::bytes_per_vertex() const {
 }
 
 void PlyVertices::allocate(Mesh& mesh) {
+  const bool normals = has(Attribute::normal, 3);
+  if (!normals) mesh.positions.reserve(with_room_for_creases(count_));
   mesh.positions.resize(count_);
-  if (has(Attribute::normal, 3)) mesh.normals.resize(count_);
+  if (normals) mesh.normals.resize(count_);
   if (has(Attribute::texcoord, 2)) mesh.texcoords.resize(count_);
   if (has_colors()) {
     if (has(Attribute::color, 4)) {

@@ -12,6 +12,7 @@
 #include "blysk/model.h"
 #include "blysk/result.h"
 #include "blysk/scene.h"
+#include "core/threads.h"
 
 namespace blysk::io {
 
@@ -64,6 +65,7 @@ class FileBytes {
 /// Removes triangles with an index out of range, a repeated or coinciding corner, or a corner that is not
 /// finite, and says so in `problems` ("mesh NAME: left out 12 degenerate and 1 non-finite triangles").
 /// Removes the vertices that no triangle uses, so that a stray point cannot push a model out of its frame.
-void drop_bad_triangles(Mesh& mesh, std::vector<std::string>& problems);
+void drop_bad_triangles(Mesh& mesh, std::vector<std::string>& problems, ThreadPool& pool);
+void drop_bad_triangles(Mesh& mesh, std::vector<std::string>& problems);  // in the caller's thread
 
 }  // namespace blysk::io

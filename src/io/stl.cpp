@@ -19,13 +19,16 @@ constexpr std::size_t kPointsWorthThreads = 60000;
 // table.
 std::uint64_t memory_for(std::uint64_t triangles) { return triangles * 3 * (4 + 12 + 12 + 32); }
 
-Mesh weld_corners(const PackedPoints& corners, int threads) {
+// Adds a mesh of welded corners, less its bad triangles.
+void add_corners(const PackedPoints& corners, int threads, std::string name, Scene& scene) {
   ThreadPool pool(corners.size() < kPointsWorthThreads ? 1 : threads);
   Welded welded = weld(corners, pool);
   Mesh mesh;
+  mesh.name = std::move(name);
   mesh.positions = std::move(welded.positions);
   mesh.indices = std::move(welded.ids);
-  return mesh;
+  drop_bad_triangles(mesh, scene.problems, pool);
+  add_mesh(scene, std::move(mesh));
 }
 
 Result<Scene> read_binary(const Source& source) {
@@ -45,9 +48,7 @@ Result<Scene> read_binary(const Source& source) {
                              " bytes after the last of " + std::to_string(count) + " triangles");
   }
   const PackedPoints corners{bytes.data() + kStlHeader + sizeof(Vec3f), count, 3, kStlTriangle};
-  Mesh mesh = weld_corners(corners, source.options.threads);
-  drop_bad_triangles(mesh, scene.problems);
-  add_mesh(scene, std::move(mesh));
+  add_corners(corners, source.options.threads, {}, scene);
   return scene;
 }
 
@@ -126,10 +127,7 @@ class AsciiStl {
     if (Status s = check_limits(source_, triangles_, memory_for(triangles_)); !s) return s;
     if (triangles == 0) return Done{};
     const PackedPoints corners{reinterpret_cast<const std::byte*>(corners_.data()), corners_.size()};
-    Mesh mesh = weld_corners(corners, source_.options.threads);
-    mesh.name = name_;
-    drop_bad_triangles(mesh, scene_.problems);
-    add_mesh(scene_, std::move(mesh));
+    add_corners(corners, source_.options.threads, name_, scene_);
     corners_.clear();
     name_.clear();
     return Done{};

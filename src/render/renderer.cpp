@@ -28,7 +28,8 @@ constexpr std::size_t kChunkVertices = 16384, kChunkTriangles = 8192;
 Error out_of_memory(const RenderOptions& options) {
   return {ErrorCode::limit,
           "the frame needs more memory than there is or than the limit of " +
-              std::to_string(options.limits.max_memory >> 20) + " MB (max_memory) allows",
+              std::to_string(options.limits.max_memory) +
+              " bytes allows; raise --max-memory or choose a smaller --size",
           {},
           0};
 }

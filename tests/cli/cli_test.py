@@ -424,7 +424,8 @@ class Failures(CommandTest):
         wide = ("render", "square.obj", "-o", "a.png", "--size=16384x1", "--aov=fragments", "-q")
         self.assertIn("--aov-format", self.fails(5, *wide))
         self.run_command(*wide, "--aov-format=csv")
-        self.fails(5, "render", "shape:sphere?detail=300", "-o", "a.png", "--max-memory", "1K")
+        self.assertIn("limit of 1024 bytes", self.fails(5, "render", "shape:sphere?detail=300", "-o", "a.png",
+                                                        "--max-memory", "1K"))
 
     def test_reader_gone(self):
         for words in (["man"], ["render", "square.obj", "-q", "-o", "-", "--format=png"]):
@@ -449,6 +450,16 @@ class Failures(CommandTest):
         _, errors = process.communicate(timeout=10)
         self.assertEqual((process.returncode, errors), (130, b""))
         self.assertEqual(os.listdir(self.folder), ["square.obj"])
+
+    def test_interrupt_while_rendering_leaves_what_was_there(self):
+        self.write("a.png", b"precious")
+        process = self.start("render", "square.obj", "-o", "a.png", "--repeat=100000", stderr=subprocess.PIPE)
+        time.sleep(0.3)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=10)
+        self.assertEqual(process.returncode, 130)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["a.png", "square.obj"])
+        self.assertEqual(self.read("a.png"), b"precious")
 
     def test_interrupt_while_writing_leaves_all_or_nothing(self):
         for attempt in range(3):
