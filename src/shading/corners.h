@@ -9,8 +9,6 @@
 
 namespace blysk::BLYSK_ISA {
 
-BLYSK_INLINE bool any(bool m) { return m; }
-
 template <class F>
 struct IntegerOf;
 template <>

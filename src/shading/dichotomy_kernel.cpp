@@ -76,9 +76,8 @@ struct HalfRow {
 template <int kRegisters>
 BLYSK_INLINE Floats<2 * kRegisters> alternate(Floats<kRegisters> even, Floats<kRegisters> odd) {
   float both[2 * kRegisters * kPartLanes];
-  for (int i = 0; i < kRegisters; ++i) {
-    hn::StoreInterleaved2(even.part[i], odd.part[i], FloatTag(), both + 2 * i * kPartLanes);
-  }
+  BLYSK_EACH(kRegisters,
+             hn::StoreInterleaved2(even.part[i], odd.part[i], FloatTag(), both + 2 * i * kPartLanes))
   Floats<2 * kRegisters> r;
   load_all(both, r);
   return r;

@@ -109,7 +109,7 @@ struct LightingTexture {
       find_texture(job, static_cast<std::int32_t>(indices[i]), static_cast<std::int32_t>(sizes[i]), base[i],
                    steps[i]);
     }
-    for (int i = 0; i < kRegisters; ++i) s.base.part[i] = hn::LoadU(IntTag(), base + i * kPartLanes);
+    load_all(base, s.base);
     load_all(steps, s.steps);
   }
 
@@ -163,7 +163,7 @@ struct LightingTexture {
   template <class F, class P, class Y>
   static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s, P x, Y y,
                                    P nearness) {
-    if (all_of(s.direct)) return compose(job, t.corners, x, y, light_directly(job, t, s, x, y, nearness));
+    if (all(s.direct)) return compose(job, t.corners, x, y, light_directly(job, t, s, x, y, nearness));
     Intensity<P> light = fetch_light(static_cast<const TexturedJob&>(job), t, s, x);
     if (any(s.direct)) {
       const Intensity<P> own = light_directly(job, t, s, x, y, nearness);

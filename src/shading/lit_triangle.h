@@ -13,12 +13,6 @@
 
 namespace blysk::BLYSK_ISA {
 
-BLYSK_INLINE bool all(bool m) { return m; }
-template <int kRegisters>
-BLYSK_INLINE bool all(Masks<kRegisters> m) {
-  return to_bits(m) == (2u << (kRegisters * kPartLanes - 1)) - 1;
-}
-
 template <class F>
 struct LitTriangle {
   Corners<F> corners;  ///< sorted

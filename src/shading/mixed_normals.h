@@ -7,12 +7,6 @@
 
 namespace blysk::BLYSK_ISA {
 
-BLYSK_INLINE bool all_of(bool m) { return m; }
-template <int kRegisters>
-BLYSK_INLINE bool all_of(Masks<kRegisters> m) {
-  return to_bits(m) == (2u << (kRegisters * kPartLanes - 1)) - 1;
-}
-
 template <class F>
 struct MixedNormals {
   Corners<F> corners;
@@ -30,7 +24,7 @@ BLYSK_INLINE MixedNormals<F> fetch_mixed_normals(const ShadeJob& job, Integer<F>
   const F* x = t.corners.x;
   const F width = max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]);
   t.narrow = t.corners.unplaced | (width < F(static_cast<float>((shortest - 1) * kSubpixels)));
-  if (!all_of(t.narrow)) {
+  if (!all(t.narrow)) {
     Corners<F> sorted = t.corners;
     sort_corners(sorted);
     t.frame = row_frame(sorted);
@@ -47,7 +41,7 @@ struct NormalRow {
 template <class F>
 BLYSK_INLINE NormalRow<F> normal_row(const MixedNormals<F>& t, F y) {
   NormalRow<F> row{row_normal(t.normal, y), F(0.0f), F(0.0f)};
-  if (all_of(t.narrow)) return row;
+  if (all(t.narrow)) return row;
   const RowEnds<F> ends = row_ends(t.frame, y);
   const auto center = [&](Integer<F> column) {
     const F at = to_float(column * Integer<F>(kSubpixels) + Integer<F>(kSubpixels / 2));

@@ -42,7 +42,7 @@ struct Row {
     const F length = s.row.last - s.row.first;
     s.own = length < F(static_cast<float>((kShortestArc - 1) * kSubpixels));
     s.acute = true;
-    if (all_of(s.own)) return s;
+    if (all(s.own)) return s;
     s.scale = F(2.0f) / max(length, F(static_cast<float>(kSubpixels)));
     s.first_normal = unit_normal_at(job, t, s.row, s.row.first, y);
     s.last_normal = unit_normal_at(job, t, s.row, s.row.last, y);
@@ -55,7 +55,7 @@ struct Row {
 
   template <class F, class P, class Y>
   static BLYSK_INLINE V3<P> normal_at(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s, P x, Y y) {
-    if (all_of(s.own)) return unit_normal_at(job, t, s.row, x, y);
+    if (all(s.own)) return unit_normal_at(job, t, s.row, x, y);
     const P one(1.0f);
     const P place = min(max((x - P(s.row.first)) * P(s.scale) - one, P(-1.0f)), one);
     V3<P> n = along(s.arc, place);

@@ -19,12 +19,6 @@
 
 namespace blysk::BLYSK_ISA {
 
-BLYSK_INLINE bool all(bool m) { return m; }
-template <int kRegisters>
-BLYSK_INLINE bool all(Masks<kRegisters> m) {
-  return to_bits(m) == (2u << (kRegisters * kPartLanes - 1)) - 1;
-}
-
 /// The opposite of a comparison: also where something was not a number.
 BLYSK_INLINE bool opposite(bool m) { return !m; }
 template <int kRegisters>
