@@ -3,6 +3,9 @@
 //
 // Every fragment is shaded before it enters a list, seen or not, as merging wants colours: these variants are
 // for study, not for speed. Their tiles share nothing, pools included.
+//
+// With 32 samples a pixel is two of the tile's (render/subpixels.h), as triangles are sorted out by where
+// samples lie; its fragments are the whole pixel's.
 #pragma once
 
 #include <functional>
@@ -23,8 +26,9 @@ class ListTile {
 
   /// Drawing throws std::bad_alloc beyond `max_bytes`.
   void prepare(const FramePlan& plan, std::size_t max_bytes);
-  /// Leaves the pixels' colours as SampleBuffers::sum, to be resolved, and the nearest surface of each pixel
-  /// in TileBuffers. Returns how many pixels are covered.
+  /// Leaves the pixels' colours as SampleBuffers::sum, to be resolved, in the first columns where pixels are
+  /// two of the tile's, and the nearest surface of each in TileBuffers, in both columns. Returns how many
+  /// pixels are covered.
   int draw(const FramePlan& plan, const TileJob& job, SampleBuffers& samples, const Shade& shade);
 
   /// Of all tiles since prepare().
@@ -33,6 +37,7 @@ class ListTile {
 
  private:
   void add(const GlassEntry& entry, const TileJob& job, std::uint32_t number, std::uint32_t object);
+  int compose(const FramePlan& plan, TileBuffers& buffers, SampleBuffers& samples);
   void flush(SampleBuffers& samples, const Shade& shade);
   void shade_round(std::size_t first, std::size_t end, SampleBuffers& samples, const Shade& shade);
 
@@ -48,6 +53,8 @@ class ListTile {
   std::vector<std::uint32_t> nearest_id_;
   std::vector<float> nearest_z_;  ///< of any sample
   antialias::ListStatistics statistics_;
+  const antialias::SamplePattern* pattern_ = nullptr;
+  int across_ = 1;  ///< of the tile's pixels for one
   std::size_t max_bytes_ = 0;
 };
 

@@ -11,6 +11,7 @@
 #include "render/kernels.h"
 #include "render/list_tile.h"
 #include "render/sample_memory.h"
+#include "render/subpixels.h"
 
 namespace blysk {
 namespace {
@@ -37,11 +38,17 @@ struct Chunk {
   std::size_t first, count;
 };
 
+// Pixels of the picture that a tile holds.
+struct TileArea {
+  int x, y, width, height;
+};
+
 // What one thread owns.
 struct Worker {
   ThreadBins bins;
   std::unique_ptr<TileBuffers> tile = std::make_unique<TileBuffers>();
   SampleMemory samples;
+  SubpixelTile parts;
   ListTile lists;
   std::vector<std::uint32_t> rest;
   std::vector<float> normals;
@@ -69,11 +76,12 @@ struct Renderer::State {
  private:
   void cut(std::size_t DrawPlan::*count, std::size_t size);
   void transform();
-  void assemble(const RenderOptions& options, int tiles_x, std::size_t tiles);
+  void assemble(std::uint64_t max_memory, int tiles_x, std::size_t tiles);
   void draw_tiles(const RenderOptions& options, int tiles_x, std::size_t tiles, Frame& frame);
   void draw_tile(Worker& worker, const RenderOptions& options, int tiles_x, std::size_t tile,
                  ShadeFunction shade, Frame& frame);
   void shade_draws(Worker& worker, ShadeJob& job, ShadeFunction function);
+  void store_tile(const Worker& worker, const RenderOptions& options, const TileArea& area, Frame& frame);
   [[nodiscard]] std::uint64_t memory_of_vertices() const { return plan.vertices * sizeof(ScreenVertex); }
   [[nodiscard]] std::uint64_t memory() const;
 };
@@ -97,8 +105,8 @@ void Renderer::State::transform() {
   });
 }
 
-void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::size_t tiles) {
-  const std::size_t room = (options.limits.max_memory - memory_of_vertices()) / workers.size();
+void Renderer::State::assemble(std::uint64_t max_memory, int tiles_x, std::size_t tiles) {
+  const std::size_t room = (max_memory - memory_of_vertices()) / workers.size();
   for (Worker& w : workers) {
     w.bins.reset(tiles, room);
     w.rest.resize(kChunkTriangles + 16);
@@ -119,8 +127,8 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
     job.count = c.count;
     job.vertex_base = p.draw.vertex_base;
     job.id_base = p.draw.id_base;
-    job.width = options.width;
-    job.height = options.height;
+    job.width = plan.width;
+    job.height = plan.height;
     job.tiles_x = tiles_x;
     job.drop = p.drop;
     job.sampling = plan.sampling;
@@ -170,7 +178,7 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
   TileBuffers& buffers = *worker.tile;
   const int x = static_cast<int>(tile % static_cast<std::size_t>(tiles_x)) * kTileSize;
   const int y = static_cast<int>(tile / static_cast<std::size_t>(tiles_x)) * kTileSize;
-  const int width = std::min(kTileSize, options.width - x), height = std::min(kTileSize, options.height - y);
+  const int width = std::min(kTileSize, plan.width - x), height = std::min(kTileSize, plan.height - y);
   const TileJob job = {x,
                        y,
                        width,
@@ -208,29 +216,47 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, in
     covered = worker.lists.draw(plan, job, *shading.samples, [&] { shade_draws(worker, shading, shade); });
   }
   worker.blank = empty;
+  const bool cut = plan.subpixels.count() > 1,
+             one_surface = options.want_depth || options.want_normal || options.want_id;
+  if (covered > 0 && !listed) {
+    if (cut) worker.parts.list_simple(plan.subpixels, job, plan.linear_background, *shading.samples);
+    shade_draws(worker, shading, shade);
+    if (one_surface && sampled) worker.samples.show_nearest(buffers);
+    if (cut) {
+      worker.parts.restore(buffers);
+      covered = worker.parts.join_sums(plan.subpixels, job, *shading.samples);
+    }
+  }
   worker.covered += static_cast<std::uint64_t>(covered);
-  if (covered > 0 && !listed) shade_draws(worker, shading, shade);
   if (covered > 0 && sampled) {
     if (shading.samples->pixels > 0) table.resolve_samples({&buffers, shading.samples, options.transfer});
     shading.samples = nullptr;
-    const bool one_surface = options.want_depth || options.want_normal || options.want_id;
-    if (one_surface && !listed) worker.samples.show_nearest(buffers);
   }
   if (options.want_normal) {
     worker.normals.assign(3 * kTilePixels, 0.0f);
     shading.normals = worker.normals.data();
     if (covered > 0) shade_draws(worker, shading, table.write_normals);
   }
-  const std::size_t first =
-      static_cast<std::size_t>(y) * static_cast<std::size_t>(options.width) + static_cast<std::size_t>(x);
-  table.store_tile(buffers, width, height, frame.image.pixels.data() + first,
+  if (cut && one_surface) join_surfaces(plan.subpixels, buffers, shading.normals);
+  store_tile(worker, options,
+             {x / plan.subpixels.across, y / plan.subpixels.down, width / plan.subpixels.across,
+              height / plan.subpixels.down},
+             frame);
+}
+
+void Renderer::State::store_tile(const Worker& worker, const RenderOptions& options, const TileArea& area,
+                                 Frame& frame) {
+  const TileBuffers& buffers = *worker.tile;
+  const auto place = [&](int row) {
+    return static_cast<std::size_t>(area.y + row) * static_cast<std::size_t>(options.width) +
+           static_cast<std::size_t>(area.x);
+  };
+  table.store_tile(buffers, area.width, area.height, frame.image.pixels.data() + place(0),
                    static_cast<std::size_t>(options.width));
   if (!options.want_depth && !options.want_normal && !options.want_id) return;
-  for (int row = 0; row < height; ++row) {
-    const std::size_t from = static_cast<std::size_t>(row) * kTileSize;
-    const std::size_t to = static_cast<std::size_t>(y + row) * static_cast<std::size_t>(options.width) +
-                           static_cast<std::size_t>(x);
-    const auto count = static_cast<std::size_t>(width);
+  for (int row = 0; row < area.height; ++row) {
+    const std::size_t from = static_cast<std::size_t>(row) * kTileSize, to = place(row);
+    const auto count = static_cast<std::size_t>(area.width);
     if (options.want_normal)
       std::memcpy(&frame.normal.values[3 * to], &worker.normals[3 * from], 3 * count * sizeof(float));
     for (std::size_t i = 0; i < count && options.want_depth; ++i)
@@ -255,7 +281,7 @@ std::uint64_t Renderer::State::memory() const {
   std::uint64_t n = vertices.capacity() * sizeof(ScreenVertex) + chunks.capacity() * sizeof(Chunk) +
                     plan.draws.capacity() * sizeof(DrawPlan);
   for (const Worker& w : workers) {
-    n += w.bins.memory() + sizeof(TileBuffers) + w.samples.bytes() + w.lists.bytes() +
+    n += w.bins.memory() + sizeof(TileBuffers) + w.samples.bytes() + w.parts.bytes() + w.lists.bytes() +
          w.rest.capacity() * sizeof(std::uint32_t) + w.normals.capacity() * sizeof(float);
   }
   return n;
@@ -282,11 +308,11 @@ Status Renderer::State::render(const Scene& scene, const RenderOptions& options,
   frame.id.resize(options.want_id ? pixels : 0);
   vertices.resize(plan.vertices);
 
-  const int tiles_x = (options.width + kTileSize - 1) / kTileSize;
-  const std::size_t tiles = static_cast<std::size_t>(tiles_x) *
-                            static_cast<std::size_t>((options.height + kTileSize - 1) / kTileSize);
+  const int tiles_x = (plan.width + kTileSize - 1) / kTileSize;
+  const std::size_t tiles =
+      static_cast<std::size_t>(tiles_x) * static_cast<std::size_t>((plan.height + kTileSize - 1) / kTileSize);
   transform();
-  assemble(options, tiles_x, tiles);
+  assemble(options.limits.max_memory, tiles_x, tiles);
   const Clock::time_point assembled = Clock::now();
   draw_tiles(options, tiles_x, tiles, frame);
   const Clock::time_point end = Clock::now();
