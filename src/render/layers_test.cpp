@@ -111,6 +111,108 @@ TEST(layers, every_sub_pixel_counts) {
   expect_random_scenes(15, {"supersample:n=4"});
 }
 
+// Beyond 64 layers the farthest merge, which nearer ones hide here: whatever the order nothing is to be seen
+// of it.
+TEST(layers, more_than_a_pixel_holds) {
+  RenderOptions o = flat_options(24, 18);
+  o.camera = pixel_camera(o.height);
+  Random random(73);
+  for (int round = 0; round < 10; ++round) {
+    const Scene scene = [&] {
+      Mesh mesh;
+      for (std::uint32_t i = 0; i < 150; ++i) {
+        const auto z = static_cast<float>(uniform(random, -0.9, 0.9));
+        const Vec4f color = {random.unit(), random.unit(), random.unit(), 1};
+        for (const Vec3f corner : {Vec3f{-50, -40, z}, Vec3f{60, -40, z}, Vec3f{0, 70, z}}) {
+          mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+          mesh.positions.push_back(corner);
+          mesh.colors.push_back(color);
+        }
+      }
+      return scene_of(std::move(mesh), flat_material({1, 1, 1}, 0.3f));
+    }();
+    FramePlan plan;
+    ASSERT_TRUE(plan_frame(scene, o, plan));
+    const auto expected =
+        reference::BruteForce{o.width, o.height, {}, {0.25, 0.5, 0.125}}.draw(reference::flat_layers(plan));
+    const Frame frame = render_frame(scene, o, Isa::best, 2);
+    EXPECT_EQ(frame.statistics.layers_merged, frame.statistics.pixels_covered * (150 - 64));
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      if (expected[i].doubtful) continue;
+      ASSERT_NEAR((frame.image.pixels[i] & 255) / 255.0, expected[i].color.x, 0.6 / 255) << round << " " << i;
+    }
+  }
+}
+
+// Lit, with glass and pictures of depth, normals and triangles; in tiles that the picture cuts off.
+TEST(layers, parts_of_pixels_do_not_show_threads) {
+  Scene scene = *make_shape("triangles?count=800&size=0.5");
+  for (const float opacity : {1.0f, 0.6f}) {
+    scene.materials[0].opacity = opacity;
+    scene.materials[0].alpha_mode = AlphaMode::blend;
+    RenderOptions o;
+    o.width = 77;
+    o.height = 53;
+    o.want_depth = o.want_normal = o.want_id = true;
+    for (const char* variant :
+         {"abuffer:samples=32", "abuffer-pool:samples=32", "supersample:n=2", "supersample"}) {
+      o.antialias = variant;
+      const Frame one = render_frame(scene, o, Isa::best, 1);
+      for (const Isa isa : available_isas()) {
+        for (const int threads : {1, 2, 7}) {
+          const Frame other = render_frame(scene, o, isa, threads);
+          EXPECT_TRUE(one.image.pixels == other.image.pixels) << variant << threads << isa_name(isa);
+          EXPECT_TRUE(one.depth.values == other.depth.values && one.normal.values == other.normal.values &&
+                      one.id == other.id)
+              << variant << threads << isa_name(isa);
+          EXPECT_EQ(one.statistics.pixels_covered, other.statistics.pixels_covered);
+        }
+      }
+    }
+  }
+}
+
+// Pixels inside a surface, on whose lattice vertices lie under any of them, have the bytes of one sample.
+TEST(layers, a_pixel_that_one_surface_covers_is_shaded_once) {
+  Mesh mesh = mesh_of({{-20.25f, -14.5f, 0.5f}, {23.5f, -12.75f, -0.5f}, {1.125f, 16.0f, 0.25f}}, {0, 1, 2});
+  for (const Vec3d n : {Vec3d{-0.4, -0.3, 1}, Vec3d{0.5, -0.2, 1}, Vec3d{0.1, 0.6, 1}})
+    mesh.normals.push_back(to_float(normalize(n)));
+  const Scene scene = scene_of(std::move(mesh), {.specular = {0.6f, 0.6f, 0.6f}});
+  RenderOptions o;
+  o.width = 50;
+  o.height = 36;
+  o.camera = pixel_camera(o.height);
+  o.antialias = "none";
+  const Frame plain = render_frame(scene, o);
+  const auto covered = [&](int x, int y) {
+    return plain.image.pixels[static_cast<std::size_t>(50 * y + x)] != 0;
+  };
+  for (const char* variant : {"abuffer", "abuffer:samples=32", "abuffer-unlimited:samples=32"}) {
+    o.antialias = variant;
+    const Frame frame = render_frame(scene, o);
+    int inside = 0;
+    for (int y = 1; y < 35; ++y) {
+      for (int x = 1; x < 49; ++x) {
+        if (!covered(x - 1, y) || !covered(x + 1, y) || !covered(x, y - 1) || !covered(x, y + 1)) continue;
+        const auto i = static_cast<std::size_t>(50 * y + x);
+        if (frame.image.pixels[i] >> 24 != 255) continue;  // an edge
+        ++inside;
+        EXPECT_EQ(frame.image.pixels[i], plain.image.pixels[i]) << variant << " " << x << "," << y;
+      }
+    }
+    EXPECT_GT(inside, 400) << variant;
+  }
+}
+
+TEST(layers, pictures_too_large_to_be_cut_up_are_refused) {
+  RenderOptions o = flat_options(2000, 100);
+  o.antialias = "supersample:n=16";
+  const auto frame = Renderer({.threads = 1}).render(*make_shape("cube"), o);
+  ASSERT_FALSE(frame);
+  EXPECT_EQ(frame.error().code, ErrorCode::usage);
+  EXPECT_NE(frame.error().message.find("1024x1024"), std::string::npos) << frame.error().message;
+}
+
 // Triangles of each mesh in another order.
 Scene shuffled(Scene scene, std::uint64_t seed) {
   Random random(seed);

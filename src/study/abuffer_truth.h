@@ -18,7 +18,7 @@ struct TruthScene {
 };
 
 /// "xfighter", "slivers" (a fan of 360 triangles, half a degree wide and half a degree apart), or a model's
-/// file or shape. Pictures of 320 x 240.
+/// file or shape; all of it opaque. Pictures of 320 x 240.
 [[nodiscard]] Result<TruthScene> truth_scene(const std::string& name, const Limits& limits);
 
 struct TruthRow {
