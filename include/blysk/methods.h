@@ -41,7 +41,7 @@ struct Method {
 [[nodiscard]] std::span<const Method> methods();
 [[nodiscard]] const Method* find_method(MethodKind kind, std::string_view name);
 
-inline constexpr std::size_t kMostSettings = 4;  ///< of a method
+inline constexpr std::size_t kMostSettings = 5;  ///< of a method
 
 /// A method and its settings.
 struct MethodChoice {

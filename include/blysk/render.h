@@ -97,7 +97,8 @@ struct Frame {
   Array<std::uint32_t> id;  ///< 1 + index of the triangle over all instances; 0 where nothing is
   /// Fragments of each pixel that are left when all triangles are drawn: with "none" 1 where anything is;
   /// with "abuffer" the opaque surfaces that its samples show and the transparent layers before them, seen or
-  /// not; with the others what is in the pixel's list.
+  /// not, with 32 samples and "supersample" of all parts of the pixel together; with the others what is in
+  /// the pixel's list.
   Array<std::uint32_t> fragments;
   FloatImage coverage;  ///< share of a pixel's samples that any surface covers, opaque or transparent; 0..1
   FrameStatistics statistics;

@@ -9,7 +9,8 @@
 
 namespace blysk::antialias {
 
-/// A place on the screen in 1/256 pixel. |x|, |y| <= 2^24, so that edge functions stay below 2^52.
+/// A place on the screen in 1/256 pixel, or in 1/`unit` pixel where a unit is given. |x|, |y| <= 2^24, so
+/// that edge functions stay below 2^52.
 struct Subpixel {
   std::int64_t x = 0, y = 0;
 };
@@ -18,7 +19,8 @@ struct Subpixel {
 /// of the triangles around it.
 class TriangleCoverage {
  public:
-  TriangleCoverage(std::array<Subpixel, 3> corners, const SamplePattern& pattern);
+  /// `unit`: a multiple of 256.
+  TriangleCoverage(std::array<Subpixel, 3> corners, const SamplePattern& pattern, int unit = 256);
 
   [[nodiscard]] bool empty() const { return area_ == 0; }  ///< no area, no samples
   [[nodiscard]] Mask mask(int column, int row) const;      ///< 0 if empty()
@@ -30,7 +32,7 @@ class TriangleCoverage {
     std::array<std::int64_t, kMostSamples> offset;
   };
   const SamplePattern* pattern_;
-  std::int64_t area_;
+  std::int64_t unit_, area_;
   std::array<Edge, 3> edges_;
 };
 
@@ -38,19 +40,21 @@ class TriangleCoverage {
 struct DepthPlane {
   double z = 0, zx = 0, zy = 0;  ///< at `origin`, and a pixel to the right and down
   Subpixel origin;
+  int unit = 256;
 
   /// At a pixel's centre.
   [[nodiscard]] double at(int column, int row) const {
-    const double right = static_cast<double>(256 * std::int64_t{column} + 128 - origin.x) / 256;
-    const double down = static_cast<double>(256 * std::int64_t{row} + 128 - origin.y) / 256;
+    const double right = static_cast<double>(unit * std::int64_t{column} + unit / 2 - origin.x) / unit;
+    const double down = static_cast<double>(unit * std::int64_t{row} + unit / 2 - origin.y) / unit;
     return z + right * zx + down * zy;
   }
 };
 
 /// The corners must span an area.
-[[nodiscard]] DepthPlane depth_plane(const std::array<Subpixel, 3>& corners, const std::array<double, 3>& z);
+[[nodiscard]] DepthPlane depth_plane(const std::array<Subpixel, 3>& corners, const std::array<double, 3>& z,
+                                     int unit = 256);
 
-/// Twice the area in 1/256 pixel squared, positive where corners turn clockwise on the screen.
+/// Twice the area in units squared, positive where corners turn clockwise on the screen.
 [[nodiscard]] inline std::int64_t doubled_area(const std::array<Subpixel, 3>& c) {
   return (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[2].x - c[0].x) * (c[1].y - c[0].y);
 }

@@ -34,10 +34,19 @@ struct GlassLayer {
   std::int32_t next;  ///< of the pixel, or -1
 };
 
+/// The layers of a pixel that has no room left: where they are, and how near at the pixel's centre.
+struct FullPixel {
+  float center[kMostLayers];
+  std::int32_t layer[kMostLayers];
+  int last;    ///< the farthest, into which others go
+  int second;  ///< the farthest of the others
+};
+
 struct GlassBuffers {
   std::int32_t first[kTilePixels];  ///< of a pixel's layers, or -1
   std::uint8_t layers[kTilePixels];
   std::uint8_t merged[kTilePixels];  ///< whether any of the pixel's layers are two
+  FullPixel full[kTilePixels];       ///< of those
   GlassLayer layer[kMostGlass];
   int used;
   std::uint64_t generated, merges;  ///< of the tile

@@ -7,19 +7,25 @@
 namespace blysk::BLYSK_ISA {
 
 /// Two layers as one: what is seen through both is kept where all that lies in front or behind is the same at
-/// all samples; its colour and plane are those of the layer that shows more.
+/// all samples; its colour is that of the layer that shows more. Depth lies nearer to the one that covers
+/// more, and of slopes the flatter ones are kept (specification of the A-buffer paper, A.7, M1): a steep
+/// plane that has come to cover the whole pixel would hide what lies before it.
 BLYSK_INLINE void merge_layers(GlassLayer& into, const GlassLayer& other) {
   const auto count = [](std::uint32_t mask) { return static_cast<float>(__builtin_popcount(mask)); };
+  const auto flatter = [](float a, float b) { return (b < 0 ? -b : b) < (a < 0 ? -a : a) ? b : a; };
+  const float covers = count(into.mask), other_covers = count(other.mask);
   const float only_into = count(into.mask & ~other.mask), only_other = count(other.mask & ~into.mask);
   const float a = 1.0f - into.opacity, b = 1.0f - other.opacity;
   const float through = (only_into * a + only_other * b) + count(into.mask & other.mask) * (a * b);
-  const std::int32_t next = into.next;
-  const std::uint32_t mask = into.mask | other.mask;
-  const float shows = count(into.mask) * into.opacity, other_shows = count(other.mask) * other.opacity;
-  if (other_shows > shows || (other_shows == shows && other.center > into.center)) into = other;
-  into.next = next;
-  into.mask = mask;
-  into.opacity = 1.0f - through / count(mask);
+  const float shows = covers * into.opacity, other_shows = other_covers * other.opacity;
+  if (other_shows > shows || (other_shows == shows && other.center > into.center)) into.id = other.id;
+  into.mask |= other.mask;
+  into.opacity = 1.0f - through / count(into.mask);
+  into.center = into.center + (other.center - into.center) * (other_covers / (covers + other_covers));
+  into.slope_x = flatter(into.slope_x, other.slope_x);
+  into.slope_y = flatter(into.slope_y, other.slope_y);
+  into.lowest = min(into.lowest, other.lowest);
+  into.highest = max(into.highest, other.highest);
 }
 
 /// The farther of two at the pixel's centre.
@@ -27,27 +33,43 @@ BLYSK_INLINE bool is_farther(const GlassLayer& a, const GlassLayer& b) {
   return a.center < b.center || (a.center == b.center && a.id > b.id);
 }
 
+/// The farthest of a full pixel's layers but for `but`.
+BLYSK_INLINE int farthest_of(const GlassBuffers& g, const FullPixel& full, int but) {
+  int best = but == 0 ? 1 : 0;
+  for (int i = best + 1; i < kMostLayers; ++i) {
+    if (i == but || full.center[i] > full.center[best]) continue;
+    if (is_farther(g.layer[full.layer[i]], g.layer[full.layer[best]])) best = i;
+  }
+  return best;
+}
+
+BLYSK_INLINE void fill_pixel(GlassBuffers& g, int at) {
+  FullPixel& full = g.full[at];
+  int count = 0;
+  for (std::int32_t i = g.first[at]; i >= 0; i = g.layer[i].next) {
+    full.center[count] = g.layer[i].center;
+    full.layer[count++] = i;
+  }
+  full.last = farthest_of(g, full, -1);
+  full.second = farthest_of(g, full, full.last);
+  g.merged[at] = 1;
+}
+
 /// A pixel that is full gives up the farthest of its layers and the new one: they show least.
 __attribute__((noinline)) inline void squeeze_layer(GlassBuffers& g, int at, GlassLayer layer) {
-  GlassLayer *last = nullptr, *last_but_one = nullptr;
-  for (std::int32_t i = g.first[at]; i >= 0; i = g.layer[i].next) {
-    GlassLayer* const l = &g.layer[i];
-    if (last == nullptr || is_farther(*l, *last)) {
-      last_but_one = last;
-      last = l;
-    } else if (last_but_one == nullptr || is_farther(*l, *last_but_one)) {
-      last_but_one = l;
-    }
-  }
-  if (is_farther(*last_but_one, layer)) {  // the new one is among the two farthest
-    merge_layers(*last, layer);
-  } else {
-    merge_layers(*last_but_one, *last);
-    layer.next = last->next;
-    *last = layer;
-  }
-  g.merged[at] = 1;
+  if (g.merged[at] == 0) fill_pixel(g, at);
+  FullPixel& full = g.full[at];
+  GlassLayer &last = g.layer[full.layer[full.last]], &second = g.layer[full.layer[full.second]];
   ++g.merges;
+  if (is_farther(layer, second)) {
+    merge_layers(last, layer);
+    return;
+  }
+  merge_layers(last, second);
+  layer.next = second.next;
+  second = layer;
+  full.center[full.second] = layer.center;
+  full.second = farthest_of(g, full, full.last);
 }
 
 BLYSK_INLINE void add_layer(GlassBuffers& g, int at, const GlassLayer& layer) {

@@ -64,12 +64,15 @@ TriangleOpacity triangle_opacity(const VertexOpacity& draw, const ScreenVertex* 
 
 float opacity_at(const TriangleOpacity& t, int column, int row, std::uint32_t mask) {
   const Vec2<double> from = centroid(mask);
-  const double px = column * double{kSubpixels} + kSubpixels / 2.0 + from.x,
-               py = row * double{kSubpixels} + kSubpixels / 2.0 + from.y;
+  return opacity_at(t, {column * double{kSubpixels} + kSubpixels / 2.0 + from.x,
+                        row * double{kSubpixels} + kSubpixels / 2.0 + from.y});
+}
+
+float opacity_at(const TriangleOpacity& t, Vec2<double> place) {
   double dx[3], dy[3];
   for (int k = 0; k < 3; ++k) {
-    dx[k] = t.x[k] - t.w[k] * px;
-    dy[k] = t.y[k] - t.w[k] * py;
+    dx[k] = t.x[k] - t.w[k] * place.x;
+    dy[k] = t.y[k] - t.w[k] * place.y;
   }
   double sum = 0, mixed = 0;
   for (int k = 0; k < 3; ++k) {

@@ -38,7 +38,10 @@ struct TriangleOpacity {
 [[nodiscard]] TriangleOpacity triangle_opacity(const VertexOpacity& draw, const ScreenVertex* vertices,
                                                std::uint32_t id);
 
-/// At the centre of a pixel of the picture if all samples are in `mask`, else at their centroid; 0..1.
+/// At a place of the picture, in subpixels; 0..1.
+[[nodiscard]] float opacity_at(const TriangleOpacity& triangle, Vec2<double> place);
+/// At the centre of a pixel of the picture if all sixteen samples are in `mask`, else at their centroid;
+/// 0..1.
 [[nodiscard]] float opacity_at(const TriangleOpacity& triangle, int column, int row, std::uint32_t mask);
 
 }  // namespace blysk

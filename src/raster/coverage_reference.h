@@ -92,6 +92,19 @@ inline double nearness_at(const Triangle& t, int column, int row) {
   return sum / static_cast<double>(t.area());
 }
 
+/// What float arithmetic may make of a depth: rounding, and cancellation in the slopes of slender triangles.
+inline double depth_error(const Triangle& t) {
+  const auto& [a, b, c] = t.corner;
+  const auto [low, high] = std::minmax({a.nearness, b.nearness, c.nearness});
+  const auto square = [](const Place& p, const Place& q) {
+    const auto dx = static_cast<double>(p.x - q.x), dy = static_cast<double>(p.y - q.y);
+    return dx * dx + dy * dy;
+  };
+  const double longest = std::max({square(a, b), square(b, c), square(c, a)});
+  const double range = double{high} - double{low};
+  return 3e-7 + range * std::min(1.0, 0x1p-20 * longest / std::abs(static_cast<double>(t.area())));
+}
+
 /// A triangle that may cross the planes of the view, in homogeneous screen coordinates (subpixels, nearness,
 /// w). M. Olano, T. Greer. Triangle scan conversion using 2D homogeneous coordinates. 1997.
 class HomogeneousTriangle {

@@ -152,15 +152,51 @@ ListPlan list_plan(const MethodChoice& choice) {
     return static_cast<Overflow>(static_cast<int>(first) + step);
   };
   const std::string_view name = choice.method->name;
-  if (name == "abuffer-unlimited") return {Kind::lists, Overflow::unlimited, 0, 0, 0, 0};
-  if (name == "abuffer-carpenter") return {Kind::carpenter, Overflow::unlimited, 0, 0, 0, 0};
-  if (name == "abuffer-discard")
-    return {Kind::lists, from(Overflow::d1, choice.values[1]), number(0), 0, 0, 0};
-  if (name == "abuffer-merge") return {Kind::lists, from(Overflow::m0, choice.values[1]), number(0), 0, 0, 0};
-  if (name == "abuffer-pool") {
-    return {Kind::pool, from(Overflow::m0, choice.values[3]), 0, number(0), number(1), number(2)};
+  ListPlan p;
+  if (name == "abuffer-unlimited") {
+    p.kind = Kind::lists;
+  } else if (name == "abuffer-carpenter") {
+    p.kind = Kind::carpenter;
+  } else if (name == "abuffer-discard") {
+    p = {.kind = Kind::lists, .overflow = from(Overflow::d1, choice.values[1]), .most = number(0)};
+  } else if (name == "abuffer-merge") {
+    p = {.kind = Kind::lists, .overflow = from(Overflow::m0, choice.values[1]), .most = number(0)};
+  } else if (name == "abuffer-pool") {
+    p = {.kind = Kind::pool,
+         .overflow = from(Overflow::m0, choice.values[3]),
+         .main = number(0),
+         .extra = number(1),
+         .pool = number(2)};
+  }
+  return p;
+}
+
+// Two halves of sixteen samples each are the eight columns of grid32.
+Subpixels subpixels_of(const MethodChoice& choice) {
+  const std::span<const MethodSetting> settings = choice.method->settings;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const int value = choice.values[i];
+    if (settings[i].name == "samples" && value == 1) return {.across = 2, .down = 1, .centered = true};
+    if (choice.method->name == "supersample") return {.across = 2 << value, .down = 2 << value};
   }
   return {};
+}
+
+Status plan_sampling(const RenderOptions& o, FramePlan& plan) {
+  const MethodChoice antialias = *choose_method(MethodKind::antialias, o.antialias);
+  plan.sampling = antialias.method->name == "none" ? Sampling::centers : Sampling::samples;
+  plan.lists = list_plan(antialias);
+  plan.subpixels = subpixels_of(antialias);
+  const auto& [across, down, centered] = plan.subpixels;
+  if (centered) plan.lists.pattern = &antialias::kGrid32;
+  plan.width = o.width * across;
+  plan.height = o.height * down;
+  if (plan.width > kLargestSide || plan.height > kLargestSide) {
+    return failure(ErrorCode::usage, "with --antialias " + o.antialias + " the picture may have at most " +
+                                         std::to_string(kLargestSide / across) + "x" +
+                                         std::to_string(kLargestSide / down) + " pixels");
+  }
+  return Done{};
 }
 
 DropArea drop_area(const Material& m, const Mat4& transform, Cull cull) {
@@ -233,7 +269,8 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
   }
   Result<ViewFrame> view = make_view(camera, scene, options.width, options.height);
   if (!view) return view.error();
-  plan.view = *view;
+  if (const Status s = plan_sampling(options, plan); !s) return s.error();
+  plan.view = in_subpixels(*view, plan.subpixels);
 
   const Light key = key_light(plan.view);
   std::span<const Light> lights = !options.lights.empty() ? options.lights : scene.lights;
@@ -248,9 +285,6 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
   plan.shading = *choose_method(MethodKind::shading, options.shading);
   plan.background = pack_background(options.background);
   plan.linear_background = linear_background(options.background, options.transfer);
-  const MethodChoice antialias = *choose_method(MethodKind::antialias, options.antialias);
-  plan.sampling = antialias.method->name == "none" ? Sampling::centers : Sampling::samples;
-  plan.lists = list_plan(antialias);
   plan.want_nearness = options.want_depth || std::ranges::any_of(lights, [](const Light& l) {
                          return l.kind == Light::Kind::point;
                        });

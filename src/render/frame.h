@@ -8,6 +8,7 @@
 #include "blysk/methods.h"
 #include "blysk/render.h"
 #include "geometry/assemble.h"
+#include "render/subpixels.h"
 #include "render/view.h"
 #include "shading/shade.h"
 
@@ -32,6 +33,7 @@ struct ListPlan {
   antialias::Overflow overflow = antialias::Overflow::unlimited;
   std::size_t most = 0;                       ///< of lists, fragments a pixel
   std::size_t main = 0, extra = 0, pool = 0;  ///< of a pool, which is a tile's
+  const antialias::SamplePattern* pattern = &antialias::kGrid16;
 };
 
 struct FramePlan {
@@ -42,6 +44,8 @@ struct FramePlan {
   Vec4f linear_background;       ///< linear colour times alpha, alpha
   Sampling sampling = Sampling::centers;
   ListPlan lists;
+  Subpixels subpixels;
+  int width = 0, height = 0;   ///< of what is drawn: sub-pixels
   bool glass = false;          ///< any draw is transparent
   bool want_nearness = false;  ///< of pixels: for point lights or a picture of depths
   MethodChoice shading;

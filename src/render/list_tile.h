@@ -3,6 +3,9 @@
 //
 // Every fragment is shaded before it enters a list, seen or not, as merging wants colours: these variants are
 // for study, not for speed. Their tiles share nothing, pools included.
+//
+// With 32 samples a pixel is two of the tile's (render/subpixels.h), as triangles are sorted out by where
+// samples lie; its fragments are the whole pixel's.
 #pragma once
 
 #include <functional>
@@ -24,10 +27,11 @@ class ListTile {
 
   /// Drawing throws std::bad_alloc beyond `max_bytes`.
   void prepare(const FramePlan& plan, std::size_t max_bytes);
-  /// Leaves the pixels' colours as SampleBuffers::sum, to be resolved, and the nearest surface of each pixel
-  /// in TileBuffers. Returns how many pixels are covered.
+  /// Leaves the pixels' colours as SampleBuffers::sum, to be resolved, in the first columns where pixels are
+  /// two of the tile's, and the nearest surface of each in TileBuffers, in both columns. Returns how many
+  /// pixels are covered.
   int draw(const FramePlan& plan, const TileJob& job, SampleBuffers& samples, const Shade& shade);
-  /// Where draw() counts from now on; null: nowhere.
+  /// Where draw() counts from now on, pixels in the first columns; null: nowhere.
   void count_in(TileCounts* counts) { counts_ = counts; }
 
   /// Of all tiles since prepare().
@@ -37,6 +41,8 @@ class ListTile {
 
  private:
   void add(const GlassEntry& entry, const TileJob& job, std::uint32_t number, std::uint32_t object);
+  void add(std::uint32_t triangle, std::uint32_t pixel, const antialias::Fragment& fragment);
+  int compose(const FramePlan& plan, TileBuffers& buffers, SampleBuffers& samples);
   void flush(SampleBuffers& samples, const Shade& shade);
   void shade_round(std::size_t first, std::size_t end, SampleBuffers& samples, const Shade& shade);
 
@@ -54,6 +60,8 @@ class ListTile {
   antialias::ListStatistics statistics_;
   std::uint64_t fullest_pool_ = 0;  ///< most slots in use in one tile
   TileCounts* counts_ = nullptr;
+  const antialias::SamplePattern* pattern_ = nullptr;
+  int across_ = 1;  ///< of the tile's pixels for one
   std::size_t max_bytes_ = 0;
 };
 

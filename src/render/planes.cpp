@@ -1,6 +1,5 @@
 #include "render/planes.h"
 
-#include <bit>
 #include <cstring>
 #include <utility>
 
@@ -36,25 +35,24 @@ void size_planes(const RenderOptions& options, Frame& frame) {
   frame.fragments.resize(options.want_fragments ? pixels : 0);
 }
 
-void store_planes(const RenderOptions& options, const TileJob& job, const float* normals,
-                  const TileCounts* counts, Frame& frame) {
+void store_planes(const RenderOptions& options, const TilePlanes& tile, Frame& frame) {
   if (!wants_surface(options) && !wants_counts(options)) return;
-  const TileBuffers& buffers = *job.buffers;
-  const auto width = static_cast<std::size_t>(job.width);
-  for (int row = 0; row < job.height; ++row) {
+  const auto& [area, buffers, normals, counts, samples] = tile;
+  const auto width = static_cast<std::size_t>(area.width);
+  for (int row = 0; row < area.height; ++row) {
     const std::size_t from = static_cast<std::size_t>(row) * kTileSize;
-    const std::size_t to = static_cast<std::size_t>(job.y + row) * static_cast<std::size_t>(options.width) +
-                           static_cast<std::size_t>(job.x);
+    const std::size_t to = static_cast<std::size_t>(area.y + row) * static_cast<std::size_t>(options.width) +
+                           static_cast<std::size_t>(area.x);
     if (options.want_normal)
       std::memcpy(&frame.normal.values[3 * to], normals + 3 * from, 3 * width * sizeof(float));
     for (std::size_t i = 0; i < width && options.want_depth; ++i)
-      frame.depth.values[to + i] = 1.0f - buffers.nearness[from + i];
-    for (std::size_t i = 0; i < width && options.want_id; ++i) frame.id[to + i] = buffers.id[from + i] + 1;
+      frame.depth.values[to + i] = 1.0f - buffers->nearness[from + i];
+    for (std::size_t i = 0; i < width && options.want_id; ++i) frame.id[to + i] = buffers->id[from + i] + 1;
     if (options.want_fragments)
       std::memcpy(&frame.fragments[to], counts->live + from, width * sizeof(std::uint32_t));
     for (std::size_t i = 0; i < width && options.want_coverage; ++i)
       frame.coverage.values[to + i] =
-          static_cast<float>(std::popcount(counts->covered[from + i])) / static_cast<float>(kSamples);
+          static_cast<float>(counts->covered[from + i]) / static_cast<float>(samples);
   }
 }
 

@@ -18,8 +18,21 @@ namespace blysk {
 /// Makes room for the planes that are wanted, and none for the others.
 void size_planes(const RenderOptions& options, Frame& frame);
 
+/// Pixels of the picture that a tile holds.
+struct TileArea {
+  int x, y, width, height;
+};
+
+/// A tile's values, of pixels that are joined.
+struct TilePlanes {
+  TileArea area;
+  const TileBuffers* buffers;
+  const float* normals;  ///< three a pixel
+  const TileCounts* counts;
+  int samples;  ///< of a pixel
+};
+
 /// Copies a tile's values to the planes that are wanted; null where no plane wants them.
-void store_planes(const RenderOptions& options, const TileJob& job, const float* normals,
-                  const TileCounts* counts, Frame& frame);
+void store_planes(const RenderOptions& options, const TilePlanes& tile, Frame& frame);
 
 }  // namespace blysk

@@ -70,18 +70,27 @@ constexpr MethodSetting kMergePolicy = {
     "which two become one: the farthest by the formulas as printed, as corrected, with a fitted plane; "
     "neighbours in depth, with a fitted plane; the pair that loses least depth",
     kMerges, 5};
+constexpr std::string_view kSampleCounts[] = {"16", "32"};
+constexpr MethodSetting kSamples = {"samples", "of a pixel: 4 columns and 4 rows, or 8 columns and 4 rows",
+                                    kSampleCounts};
+constexpr MethodSetting kSamplesAlone[] = {kSamples};
+constexpr std::string_view kSubpixelSides[] = {"2", "4", "8", "16"};
+constexpr MethodSetting kSupersampleSettings[] = {
+    {"n", "a pixel is n x n sub-pixels of 16 samples each: n=4 has 256 samples", kSubpixelSides, 1}};
 constexpr MethodSetting kDiscardSettings[] = {
     kFragments,
     {"policy",
      "what goes: the farthest, the smallest; the same with the pixel shown as before the last drop; the "
      "farthest, and the rest fills the pixel",
-     kDiscards, 3}};
-constexpr MethodSetting kMergeSettings[] = {kFragments, kMergePolicy};
+     kDiscards, 3},
+    kSamples};
+constexpr MethodSetting kMergeSettings[] = {kFragments, kMergePolicy, kSamples};
 constexpr MethodSetting kPoolSettings[] = {
     {"main", "fragments that a pixel has room for", {}, 1, 1, 8},
     {"extra", "addresses of more in the pool", {}, 2, 0, 15},
-    {"pool", "slots that a tile of 64x64 pixels shares", {}, 4096, 0, 65536},
-    kMergePolicy};
+    {"pool", "slots that a tile of 64x64 pixels shares, 32x64 with 32 samples", {}, 4096, 0, 65536},
+    kMergePolicy,
+    kSamples};
 
 constexpr Method kMethods[] = {
     {MethodKind::shading, "phong", "Normals interpolated, lit at every pixel", "Phong 1975; thesis 3.3", "",
@@ -193,12 +202,12 @@ constexpr Method kMethods[] = {
      "n above 2.81, else power; ends at an angle of its own"},
     {MethodKind::antialias, "abuffer", "16 samples a pixel, exact edges and transparency",
      "A-buffer paper, A.3 to A.5; own form: samples with their surfaces", "", "",
-     "everywhere; up to 64 transparent layers a pixel, beyond them the farthest merge"},
+     "everywhere; up to 64 transparent layers a pixel, beyond them the farthest merge", kSamplesAlone},
     {MethodKind::antialias, "none", "z-buffer, one sample at the pixel centre", "A-buffer paper, A.1",
      "abuffer", "", "transparent surfaces are shown as opaque ones"},
     {MethodKind::antialias, "abuffer-unlimited", "Lists of fragments without a limit",
      "A-buffer paper, A.3 to A.5", "abuffer", "",
-     "everywhere; memory grows with transparent layers; slow, for study"},
+     "everywhere; memory grows with transparent layers; slow, for study", kSamplesAlone},
     {MethodKind::antialias, "abuffer-discard", "N fragments a pixel, one dropped where there are more",
      "A-buffer paper, A.6", "abuffer-unlimited", "", "shows the order of triangles; slow, for study",
      kDiscardSettings},
@@ -210,7 +219,10 @@ constexpr Method kMethods[] = {
      "shows the order of triangles; slow, for study", kPoolSettings},
     {MethodKind::antialias, "abuffer-carpenter",
      "The classic A-buffer: of each fragment only its extent of depth", "A-buffer paper, A.2; Carpenter 1984",
-     "abuffer-unlimited", "", "wrong where surfaces meet or cross; slow, for study"},
+     "abuffer-unlimited", "", "wrong where surfaces meet or cross; slow, for study", kSamplesAlone},
+    {MethodKind::antialias, "supersample", "Ground truth: n x n sub-pixels, each drawn as abuffer's pixel",
+     "own; averages in linear light", "", "",
+     "picture's sides times n up to 16384 pixels; n x n times abuffer's work", kSupersampleSettings},
 };
 
 }  // namespace

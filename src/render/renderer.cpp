@@ -12,6 +12,7 @@
 #include "render/list_tile.h"
 #include "render/planes.h"
 #include "render/sample_memory.h"
+#include "render/subpixels.h"
 
 namespace blysk {
 namespace {
@@ -44,6 +45,7 @@ struct Worker {
   ThreadBins bins;
   std::unique_ptr<TileBuffers> tile = std::make_unique<TileBuffers>();
   SampleMemory samples;
+  SubpixelTile parts;
   ListTile lists;
   std::vector<std::uint32_t> rest;
   std::vector<float> normals;
@@ -66,6 +68,7 @@ struct Renderer::State {
   std::vector<Worker> workers;
   std::vector<const Bin*> bin_lists;
   FramePlan plan;
+  ShadeFunction shade = nullptr;  ///< of the plan's shading method
   std::vector<Chunk> chunks;
   Array<ScreenVertex> vertices;
 
@@ -76,13 +79,14 @@ struct Renderer::State {
   void transform();
   void assemble(const RenderOptions& options, int tiles_x, std::size_t tiles);
   void draw_tiles(const RenderOptions& options, int tiles_x, std::size_t tiles, Frame& frame);
-  [[nodiscard]] TileJob job_of(std::size_t tile, int tiles_x, const RenderOptions& options) const;
+  [[nodiscard]] TileJob job_of(std::size_t tile, int tiles_x) const;
+  [[nodiscard]] TileArea area_of(const TileJob& job) const;
   [[nodiscard]] bool is_empty(std::size_t tile) const;
-  void draw_tile(Worker& worker, const RenderOptions& options, TileJob job, ShadeFunction shade,
-                 Frame& frame);
+  void draw_tile(Worker& worker, const RenderOptions& options, TileJob job, Frame& frame);
   void shade_draws(Worker& worker, ShadeJob& job, ShadeFunction function);
   void count_fragments(Worker& worker, const RenderOptions& options, const TileJob& job);
-  void add_up(Worker& worker, const TileJob& job) const;
+  void add_up(Worker& worker, const TileArea& area) const;
+  void shade_tile(Worker& worker, const RenderOptions& options, const TileJob& job, ShadeJob& shading);
   void sum_up(const RenderOptions& options, FrameStatistics& statistics);
   [[nodiscard]] std::uint64_t memory_of_vertices() const { return plan.vertices * sizeof(ScreenVertex); }
   [[nodiscard]] std::uint64_t memory() const;
@@ -136,8 +140,8 @@ void Renderer::State::assemble(const RenderOptions& options, int tiles_x, std::s
     job.count = c.count;
     job.vertex_base = p.draw.vertex_base;
     job.id_base = p.draw.id_base;
-    job.width = options.width;
-    job.height = options.height;
+    job.width = plan.width;
+    job.height = plan.height;
     job.tiles_x = tiles_x;
     job.drop = p.drop;
     job.sampling = plan.sampling;
@@ -193,26 +197,33 @@ void Renderer::State::count_fragments(Worker& worker, const RenderOptions& optio
 }
 
 // Of a tile that is counted.
-void Renderer::State::add_up(Worker& worker, const TileJob& job) const {
+void Renderer::State::add_up(Worker& worker, const TileArea& area) const {
   const TileCounts& counts = *worker.counts;
-  worker.generated.add(counts.generated, job.width, job.height);
-  worker.live.add(counts.live, job.width, job.height);
-  if (plan.lists.kind != ListPlan::Kind::none) worker.most_live.add(counts.most_live, job.width, job.height);
+  worker.generated.add(counts.generated, area.width, area.height);
+  worker.live.add(counts.live, area.width, area.height);
+  if (plan.lists.kind != ListPlan::Kind::none) {
+    worker.most_live.add(counts.most_live, area.width, area.height);
+  }
 }
 
-TileJob Renderer::State::job_of(std::size_t tile, int tiles_x, const RenderOptions& options) const {
+TileJob Renderer::State::job_of(std::size_t tile, int tiles_x) const {
   const int x = static_cast<int>(tile % static_cast<std::size_t>(tiles_x)) * kTileSize;
   const int y = static_cast<int>(tile / static_cast<std::size_t>(tiles_x)) * kTileSize;
   return {x,
           y,
-          std::min(kTileSize, options.width - x),
-          std::min(kTileSize, options.height - y),
+          std::min(kTileSize, plan.width - x),
+          std::min(kTileSize, plan.height - y),
           tile,
           vertices.data(),
           bin_lists.data(),
           static_cast<int>(bin_lists.size()),
           plan.background,
           nullptr};
+}
+
+TileArea Renderer::State::area_of(const TileJob& job) const {
+  const auto& [across, down, centered] = plan.subpixels;
+  return {job.x / across, job.y / down, job.width / across, job.height / down};
 }
 
 bool Renderer::State::is_empty(std::size_t tile) const {
@@ -222,12 +233,25 @@ bool Renderer::State::is_empty(std::size_t tile) const {
   });
 }
 
-void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, TileJob job,
-                                ShadeFunction shade, Frame& frame) {
+// Of a tile whose surfaces are known: colours, or sums of them where pixels show several.
+void Renderer::State::shade_tile(Worker& worker, const RenderOptions& options, const TileJob& job,
+                                 ShadeJob& shading) {
+  const bool cut = plan.subpixels.count() > 1;
+  if (cut) worker.parts.list_simple(plan.subpixels, job, plan.linear_background, *shading.samples);
+  shade_draws(worker, shading, shade);
+  if (wants_surface(options) && shading.samples != nullptr) worker.samples.show_nearest(*job.buffers);
+  if (!cut) return;
+  worker.parts.restore(*job.buffers);
+  worker.parts.join_sums(plan.subpixels, job, *shading.samples);
+}
+
+void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, TileJob job, Frame& frame) {
   TileBuffers& buffers = *worker.tile;
   job.buffers = &buffers;
   const bool empty = is_empty(job.tile), work = !empty || !worker.blank, counts = wants_counts(options);
   const bool sampled = plan.sampling == Sampling::samples, listed = plan.lists.kind != ListPlan::Kind::none;
+  const bool cut = plan.subpixels.count() > 1;
+  const TileArea area = area_of(job);
   int covered = 0;
   if (counts) worker.counts->clear();
   if (work && !listed) {
@@ -253,37 +277,41 @@ void Renderer::State::draw_tile(Worker& worker, const RenderOptions& options, Ti
     covered = worker.lists.draw(plan, job, *shading.samples, [&] { shade_draws(worker, shading, shade); });
   }
   worker.blank = empty;
+  if (counts) worker.counts->join(listed ? Subpixels{} : plan.subpixels);
+  if (options.want_complexity) add_up(worker, area);
+  if (covered > 0 && !listed) {
+    shade_tile(worker, options, job, shading);
+    if (cut) covered = shading.samples->pixels;
+  }
   worker.covered += static_cast<std::uint64_t>(covered);
-  if (options.want_complexity) add_up(worker, job);
-  if (covered > 0 && !listed) shade_draws(worker, shading, shade);
   if (covered > 0 && sampled) {
     if (shading.samples->pixels > 0) table.resolve_samples({&buffers, shading.samples, options.transfer});
     shading.samples = nullptr;
-    if (wants_surface(options) && !listed) worker.samples.show_nearest(buffers);
   }
   if (options.want_normal) {
     worker.normals.assign(3 * kTilePixels, 0.0f);
     shading.normals = worker.normals.data();
     if (covered > 0) shade_draws(worker, shading, table.write_normals);
   }
+  if (cut && wants_surface(options)) join_surfaces(plan.subpixels, buffers, shading.normals);
   const auto width = static_cast<std::size_t>(options.width);
   table.store_tile(
-      buffers, job.width, job.height,
-      frame.image.pixels.data() + static_cast<std::size_t>(job.y) * width + static_cast<std::size_t>(job.x),
+      buffers, area.width, area.height,
+      frame.image.pixels.data() + static_cast<std::size_t>(area.y) * width + static_cast<std::size_t>(area.x),
       width);
-  store_planes(options, job, worker.normals.data(), worker.counts.get(), frame);
+  store_planes(
+      options,
+      {area, &buffers, worker.normals.data(), worker.counts.get(), kSamples * plan.subpixels.count()}, frame);
 }
 
 void Renderer::State::draw_tiles(const RenderOptions& options, int tiles_x, std::size_t tiles, Frame& frame) {
   bin_lists.clear();
   for (Worker& w : workers) bin_lists.push_back(w.bins.bins());
-  ShadeFunction shade = nullptr;
   for (int i = 0; i < table.shadings_count; ++i) {
     if (table.shadings[i].name == plan.shading.method->name) shade = table.shadings[i].shade;
   }
   pool.for_each(tiles, [&](int worker, std::size_t tile) {
-    draw_tile(workers[static_cast<std::size_t>(worker)], options, job_of(tile, tiles_x, options), shade,
-              frame);
+    draw_tile(workers[static_cast<std::size_t>(worker)], options, job_of(tile, tiles_x), frame);
   });
 }
 
@@ -291,7 +319,7 @@ std::uint64_t Renderer::State::memory() const {
   std::uint64_t n = vertices.capacity() * sizeof(ScreenVertex) + chunks.capacity() * sizeof(Chunk) +
                     plan.draws.capacity() * sizeof(DrawPlan);
   for (const Worker& w : workers) {
-    n += w.bins.memory() + sizeof(TileBuffers) + w.samples.bytes() + w.lists.bytes() +
+    n += w.bins.memory() + sizeof(TileBuffers) + w.samples.bytes() + w.parts.bytes() + w.lists.bytes() +
          w.rest.capacity() * sizeof(std::uint32_t) + w.normals.capacity() * sizeof(float) +
          w.counted_entries.capacity() * sizeof(GlassEntry) + (w.counts ? sizeof(TileCounts) : 0);
   }
@@ -346,9 +374,9 @@ Status Renderer::State::render(const Scene& scene, const RenderOptions& options,
   size_planes(options, frame);
   vertices.resize(plan.vertices);
 
-  const int tiles_x = (options.width + kTileSize - 1) / kTileSize;
-  const std::size_t tiles = static_cast<std::size_t>(tiles_x) *
-                            static_cast<std::size_t>((options.height + kTileSize - 1) / kTileSize);
+  const int tiles_x = (plan.width + kTileSize - 1) / kTileSize;
+  const std::size_t tiles =
+      static_cast<std::size_t>(tiles_x) * static_cast<std::size_t>((plan.height + kTileSize - 1) / kTileSize);
   transform();
   assemble(options, tiles_x, tiles);
   const Clock::time_point assembled = Clock::now();

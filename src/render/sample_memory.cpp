@@ -78,7 +78,7 @@ void SampleMemory::count(const TileBuffers& pixels, TileCounts& counts) const {
     for (std::int32_t l = has_glass_ ? glass_->first[at] : -1; l >= 0; l = glass_->layer[l].next) {
       covered |= glass_->layer[l].mask;
     }
-    counts.covered[at] = static_cast<std::uint16_t>(covered);
+    counts.covered[at] = covered;
     counts.live[at] = 0;
   }
   for (int i = 0; i < buffers_->fragments; ++i) {

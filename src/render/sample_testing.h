@@ -78,19 +78,6 @@ inline Crowd random_crowd(Random& random, int count, double least, double most) 
   return crowd;
 }
 
-// What float arithmetic may make of a depth: rounding, and cancellation in the slopes of slender triangles.
-inline double depth_error(const reference::Triangle& t) {
-  const auto& [a, b, c] = t.corner;
-  const auto [low, high] = std::minmax({a.nearness, b.nearness, c.nearness});
-  const auto square = [](const reference::Place& p, const reference::Place& q) {
-    const auto dx = static_cast<double>(p.x - q.x), dy = static_cast<double>(p.y - q.y);
-    return dx * dx + dy * dy;
-  };
-  const double longest = std::max({square(a, b), square(b, c), square(c, a)});
-  const double range = double{high} - double{low};
-  return 3e-7 + range * std::min(1.0, 0x1p-20 * longest / std::abs(static_cast<double>(t.area())));
-}
-
 inline double channel(std::uint32_t pixel, int c) { return (pixel >> 8 * c & 255) / 255.0; }
 
 }  // namespace blysk

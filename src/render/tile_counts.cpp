@@ -1,6 +1,7 @@
 #include "render/tile_counts.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "antialias/coverage_mask.h"
@@ -9,7 +10,7 @@
 namespace blysk {
 namespace {
 
-constexpr std::uint16_t kWhole = 0xffff;
+constexpr std::uint32_t kWhole = 0xffff;
 
 struct Span {
   int first, last;
@@ -47,6 +48,12 @@ void TileCounts::clear() {
   std::memset(live, 0, sizeof live);
   std::memset(most_live, 0, sizeof most_live);
   std::memset(covered, 0, sizeof covered);
+}
+
+void TileCounts::join(const Subpixels& parts) {
+  for (std::uint32_t& c : covered) c = static_cast<std::uint32_t>(std::popcount(c));
+  if (parts.count() == 1) return;
+  for (std::uint32_t* counts : {generated, live, most_live, covered}) join_counts(parts, counts);
 }
 
 void FragmentCounter::add(const std::uint32_t* tile, int width, int height) {

@@ -17,9 +17,11 @@ struct TileCounts {
   std::uint32_t generated[kTilePixels];  ///< if statistics are wanted
   std::uint32_t live[kTilePixels];
   std::uint32_t most_live[kTilePixels];  ///< of lists only
-  std::uint16_t covered[kTilePixels];    ///< samples that any surface covers, as bits
+  std::uint32_t covered[kTilePixels];    ///< samples that any surface covers, as bits; joined: how many
 
   void clear();
+  /// Counts of parts become sums of their pixels. Lists count pixels from the start: for them `parts` is {}.
+  void join(const Subpixels& parts);
 };
 
 /// Pixels by their number of fragments. What it holds does not depend on the order in which tiles come.

@@ -3,6 +3,7 @@
 
 #include "blysk/study.h"
 #include "study/abuffer_results.h"
+#include "study/abuffer_truth.h"
 
 namespace blysk {
 namespace study {
@@ -29,6 +30,22 @@ constexpr OrderRow kOtherOrders[] = {{Order::random, 2, "random, seed 2"},
                                      {Order::front_to_back, 0, "front to back"},
                                      {Order::back_to_front, 0, "back to front"}};
 constexpr std::uint64_t kSeed = 1;
+
+// Named scenes are asked for to save time: then models alone are held against the truth.
+Result<std::vector<TruthResult>> measure_truths(const StudyOptions& options) {
+  std::vector<std::string> names = options.models;
+  if (options.scenes.empty()) names.insert(names.begin(), {"xfighter", "slivers"});
+  std::vector<TruthResult> results;
+  for (const std::string& name : names) {
+    if (options.progress) options.progress(name + " against the truth");
+    const Result<TruthScene> scene = truth_scene(name, options.limits);
+    if (!scene) return scene.error();
+    Result<TruthResult> result = measure_truth(*scene, "supersample:n=4", options.threads);
+    if (!result) return result.error();
+    results.push_back(std::move(*result));
+  }
+  return results;
+}
 
 }  // namespace
 
@@ -123,7 +140,10 @@ Result<StudyReport> study_abuffer(const StudyOptions& options) {
     if (!result) return result.error();
     turning.push_back(*result);
   }
+  const Result<std::vector<study::TruthResult>> truths = study::measure_truths(options);
+  if (!truths) return truths.error();
   report.sections = study::abuffer_sections(scenes, turning);
+  if (!truths->empty()) report.sections.push_back(study::truth_section(*truths));
   return report;
 }
 
