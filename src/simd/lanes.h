@@ -228,14 +228,40 @@ BLYSK_INLINE void store_masked(Mask m, I32 a, std::uint32_t* p) {
                                    reinterpret_cast<std::int32_t*>(p) + i * kPartLanes);
 }
 
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
+/// For each mask of a register its lanes, one after the other. Highway 1.0.3 has such a table too, but not a
+/// static one: gcc copies it to the stack, 1 KB, whenever it is used.
+struct CompressTable {
+  std::uint8_t lane[1 << kPartLanes][kPartLanes];
+  constexpr CompressTable() : lane() {
+    for (int bits = 0; bits < 1 << kPartLanes; ++bits) {
+      int n = 0;
+      for (int i = 0; i < kPartLanes; ++i) {
+        if ((bits >> i & 1) != 0) lane[bits][n++] = static_cast<std::uint8_t>(i);
+      }
+    }
+  }
+};
+inline constexpr CompressTable kCompressTable;
+#endif
+
 /// Writes the lanes of m one after the other and returns how many; sixteen may be overwritten.
 BLYSK_INLINE int store_compressed(Mask m, I32 a, std::int32_t* p) {
   // Compressed in a register and stored whole: a masked store could not be read back at once.
   int n = 0;
   BLYSK_EACH_PART {
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(FloatTag(), m.part[i], bits);
+    const auto lanes = hn::LoadU(hn::Rebind<std::uint8_t, IntTag>(), kCompressTable.lane[bits[0]]);
+    const auto index = hn::IndicesFromVec(IntTag(), hn::PromoteTo(IntTag(), lanes));
+    hn::StoreU(hn::TableLookupLanes(a.part[i], index), IntTag(), p + n);
+    n += __builtin_popcount(bits[0]);
+#else
     const auto mask = hn::RebindMask(IntTag(), m.part[i]);
     hn::StoreU(hn::Compress(a.part[i], mask), IntTag(), p + n);
     n += static_cast<int>(hn::CountTrue(IntTag(), mask));
+#endif
   }
   return n;
 }
