@@ -255,17 +255,45 @@ BLYSK_INLINE void store_masked(Masks<kRegisters> m, Ints<kRegisters> a, std::uin
              hn::BlendedStore(a.part[i], hn::RebindMask(IntTag(), m.part[i]), IntTag(), q + i * kPartLanes));
 }
 
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
+/// For each mask of a register its lanes, one after the other. Highway 1.0.3 has such a table too, but not a
+/// static one: gcc copies it to the stack, 1 KB, whenever it is used.
+struct CompressTable {
+  std::uint8_t lane[1 << kPartLanes][kPartLanes];
+  constexpr CompressTable() : lane() {
+    for (int bits = 0; bits < 1 << kPartLanes; ++bits) {
+      int n = 0;
+      for (int i = 0; i < kPartLanes; ++i) {
+        if ((bits >> i & 1) != 0) lane[bits][n++] = static_cast<std::uint8_t>(i);
+      }
+    }
+  }
+};
+inline constexpr CompressTable kCompressTable;
+
+BLYSK_INLINE int store_part_compressed(hn::Mask<FloatTag> m, hn::Vec<IntTag> a, std::int32_t* p) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(FloatTag(), m, bits);
+  const auto lanes = hn::LoadU(hn::Rebind<std::uint8_t, IntTag>(), kCompressTable.lane[bits[0]]);
+  const auto index = hn::IndicesFromVec(IntTag(), hn::PromoteTo(IntTag(), lanes));
+  hn::StoreU(hn::TableLookupLanes(a, index), IntTag(), p);
+  return __builtin_popcount(bits[0]);
+}
+#else
+BLYSK_INLINE int store_part_compressed(hn::Mask<FloatTag> m, hn::Vec<IntTag> a, std::int32_t* p) {
+  const auto mask = hn::RebindMask(IntTag(), m);
+  hn::StoreU(hn::Compress(a, mask), IntTag(), p);
+  return static_cast<int>(hn::CountTrue(IntTag(), mask));
+}
+#endif
+
 /// Writes the lanes of m one after the other and returns how many; as many as there are lanes may be
 /// overwritten.
 template <int kRegisters>
 BLYSK_INLINE int store_compressed(Masks<kRegisters> m, Ints<kRegisters> a, std::int32_t* p) {
   // Compressed in a register and stored whole: a masked store could not be read back at once.
   int n = 0;
-  BLYSK_EACH(kRegisters, {
-    const auto mask = hn::RebindMask(IntTag(), m.part[i]);
-    hn::StoreU(hn::Compress(a.part[i], mask), IntTag(), p + n);
-    n += static_cast<int>(hn::CountTrue(IntTag(), mask));
-  });
+  BLYSK_EACH(kRegisters, n += store_part_compressed(m.part[i], a.part[i], p + n));
   return n;
 }
 
