@@ -3,7 +3,7 @@
 // Opaque surfaces are drawn first. What of a transparent one lies in front of them, sample by sample, waits
 // in its pixel's list. When all are there each sample is composed front to back by the depths at that sample
 // (specification of the A-buffer paper, A.5), so that order of submission does not show and intersecting
-// glass is right. A pixel holds up to kMostLayers; beyond them two become one, which is counted.
+// glass is right. A pixel holds up to kMostLayers; beyond them the two farthest become one, which is counted.
 #pragma once
 
 #include <cstdint>
@@ -34,12 +34,23 @@ struct GlassLayer {
   std::int32_t next;  ///< of the pixel, or -1
 };
 
+/// What a triangle adds to the colour of a layer that several have become: its weight counts among those of
+/// the others.
+struct GlassPart {
+  std::int32_t id;
+  std::uint32_t mask;
+  float weight;
+};
+inline constexpr int kMostParts = 16;
+
 /// The layers of a pixel that has no room left: where they are, and how near at the pixel's centre.
 struct FullPixel {
   float center[kMostLayers];
   std::int32_t layer[kMostLayers];
-  int last;    ///< the farthest, into which others go
-  int second;  ///< the farthest of the others
+  int last;                    ///< the farthest, into which others go
+  int second;                  ///< the farthest of the others
+  GlassPart part[kMostParts];  ///< of the last
+  int parts;
 };
 
 struct GlassBuffers {

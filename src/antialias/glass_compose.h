@@ -110,6 +110,16 @@ BLYSK_INLINE void write_weighed(SampleBuffers& s, int at, const WeighedFragment&
   ++s.fragments;
 }
 
+/// A layer that several have become, part by part.
+BLYSK_INLINE void write_parts(SampleBuffers& s, int at, const FullPixel& full, float nearness, float weight) {
+  float sum = 0;
+  for (int i = 0; i < full.parts; ++i) sum = sum + full.part[i].weight;
+  for (int i = 0; i < full.parts; ++i) {
+    const GlassPart& p = full.part[i];
+    write_weighed(s, at, {p.id, p.mask, nearness, weight * (p.weight / sum)});
+  }
+}
+
 /// Lists the fragments of pixels with transparent layers, after those of all others.
 template <bool kCenters>
 inline void compose_glass(const SampleJob& job, const SampleTile& tile) {
@@ -122,9 +132,16 @@ inline void compose_glass(const SampleJob& job, const SampleTile& tile) {
   for (int i = 0; i < g.pixels; ++i) {
     const int at = g.pixel[i];
     const GlassPixel glass(g, at, tile.grid);
+    const FullPixel& full = g.full[at];
+    const GlassLayer* const merged = g.merged[at] != 0 ? g.layer + full.layer[full.last] : nullptr;
     glass.for_each([&](const GlassLayer& l, F32 depths, float weight) {
       if (weight == 0) return;  // behind layers that let nothing through
-      write_weighed(s, at, {l.id, l.mask, kCenters ? mean_nearness(depths, l.mask) : 0.0f, weight});
+      const float nearness = kCenters ? mean_nearness(depths, l.mask) : 0.0f;
+      if (&l == merged) {
+        write_parts(s, at, full, nearness, weight);
+      } else {
+        write_weighed(s, at, {l.id, l.mask, nearness, weight});
+      }
     });
     const PixelSamples& pixel = tile.samples_of(at);
     const I32 ids = load(pixel.id);

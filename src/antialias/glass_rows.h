@@ -6,19 +6,41 @@
 
 namespace blysk::BLYSK_ISA {
 
-/// Two layers as one: what is seen through both is kept where all that lies in front or behind is the same at
-/// all samples; its colour is that of the layer that shows more. Depth lies nearer to the one that covers
-/// more, and of slopes the flatter ones are kept (specification of the A-buffer paper, A.7, M1): a steep
-/// plane that has come to cover the whole pixel would hide what lies before it.
-BLYSK_INLINE void merge_layers(GlassLayer& into, const GlassLayer& other) {
+/// A part more of a merged layer; of too many the two that show least become one, with the greater one's
+/// colour.
+BLYSK_INLINE void add_part(FullPixel& full, GlassPart part) {
+  if (full.parts < kMostParts) {
+    full.part[full.parts++] = part;
+    return;
+  }
+  GlassPart* least = full.part;
+  for (GlassPart& p : full.part) least = p.weight < least->weight ? &p : least;
+  part.weight = part.weight + least->weight;
+  if (2.0f * least->weight > part.weight) {
+    least->weight = part.weight;
+  } else {
+    *least = part;
+  }
+}
+
+/// Another layer becomes part of a full pixel's last one. What is seen through both is kept where all that
+/// lies in front or behind is the same at all samples, and so is colour (specification of the A-buffer paper,
+/// A.5) up to kMostParts. Depth lies nearer to the one that covers more, and of slopes the flatter ones are
+/// kept (A.7, M1): a steep plane that has come to cover the whole pixel would hide what lies before it.
+BLYSK_INLINE void merge_layer(FullPixel& full, GlassLayer& into, const GlassLayer& other) {
   const auto count = [](std::uint32_t mask) { return static_cast<float>(__builtin_popcount(mask)); };
   const auto flatter = [](float a, float b) { return (b < 0 ? -b : b) < (a < 0 ? -a : a) ? b : a; };
-  const float covers = count(into.mask), other_covers = count(other.mask);
-  const float only_into = count(into.mask & ~other.mask), only_other = count(other.mask & ~into.mask);
+  const float covers = count(into.mask), other_covers = count(other.mask),
+              both = count(into.mask & other.mask);
   const float a = 1.0f - into.opacity, b = 1.0f - other.opacity;
-  const float through = (only_into * a + only_other * b) + count(into.mask & other.mask) * (a * b);
-  const float shows = covers * into.opacity, other_shows = other_covers * other.opacity;
-  if (other_shows > shows || (other_shows == shows && other.center > into.center)) into.id = other.id;
+  const bool behind = other.center < into.center;
+  const float before_into = behind ? 0.0f : both * other.opacity,
+              before_other = behind ? both * into.opacity : 0.0f;
+  const float keeps = (covers - before_into) / covers;
+  for (int i = 0; i < full.parts; ++i) full.part[i].weight = full.part[i].weight * keeps;
+  add_part(full, {other.id, other.mask, (other_covers - before_other) * other.opacity});
+
+  const float through = ((covers - both) * a + (other_covers - both) * b) + both * (a * b);
   into.mask |= other.mask;
   into.opacity = 1.0f - through / count(into.mask);
   into.center = into.center + (other.center - into.center) * (other_covers / (covers + other_covers));
@@ -52,6 +74,9 @@ BLYSK_INLINE void fill_pixel(GlassBuffers& g, int at) {
   }
   full.last = farthest_of(g, full, -1);
   full.second = farthest_of(g, full, full.last);
+  const GlassLayer& last = g.layer[full.layer[full.last]];
+  full.part[0] = {last.id, last.mask, static_cast<float>(__builtin_popcount(last.mask)) * last.opacity};
+  full.parts = 1;
   g.merged[at] = 1;
 }
 
@@ -62,10 +87,10 @@ __attribute__((noinline)) inline void squeeze_layer(GlassBuffers& g, int at, Gla
   GlassLayer &last = g.layer[full.layer[full.last]], &second = g.layer[full.layer[full.second]];
   ++g.merges;
   if (is_farther(layer, second)) {
-    merge_layers(last, layer);
+    merge_layer(full, last, layer);
     return;
   }
-  merge_layers(last, second);
+  merge_layer(full, last, second);
   layer.next = second.next;
   second = layer;
   full.center[full.second] = layer.center;

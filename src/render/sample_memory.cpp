@@ -14,7 +14,7 @@ void SampleMemory::prepare(bool glass) {
   }
   if (glass && !glass_) {
     glass_ = std::make_unique_for_overwrite<GlassBuffers>();
-    take_fragments(SampleBuffers::kMostFragments + kMostGlass);
+    take_fragments(SampleBuffers::kMostFragments + kMostGlass + kTilePixels * kMostParts);
   }
 }
 
