@@ -45,7 +45,7 @@ Scene fan_of_slivers() {
 }  // namespace
 
 Result<TruthScene> truth_scene(const std::string& name, const Limits& limits) {
-  TruthScene t = {.name = name};
+  TruthScene t = {.name = name.substr(name.find_last_of('/') + 1)};  // npos + 1 is 0
   if (name == "slivers") {
     t.scene = fan_of_slivers();
   } else {
