@@ -177,7 +177,9 @@ TEST(layers, a_pixel_that_one_surface_covers_is_shaded_once) {
   Mesh mesh = mesh_of({{-20.25f, -14.5f, 0.5f}, {23.5f, -12.75f, -0.5f}, {1.125f, 16.0f, 0.25f}}, {0, 1, 2});
   for (const Vec3d n : {Vec3d{-0.4, -0.3, 1}, Vec3d{0.5, -0.2, 1}, Vec3d{0.1, 0.6, 1}})
     mesh.normals.push_back(to_float(normalize(n)));
-  const Scene scene = scene_of(std::move(mesh), {.specular = {0.6f, 0.6f, 0.6f}});
+  Material material;
+  material.specular = {0.6f, 0.6f, 0.6f};
+  const Scene scene = scene_of(std::move(mesh), material);
   RenderOptions o;
   o.width = 50;
   o.height = 36;

@@ -38,14 +38,17 @@ Scene fan_of_slivers() {
     }
   }
   Scene scene;
-  scene.add(std::move(mesh), {.color = {0.8f, 0.7f, 0.3f}});
+  Material material;
+  material.color = {0.8f, 0.7f, 0.3f};
+  scene.add(std::move(mesh), material);
   return scene;
 }
 
 }  // namespace
 
 Result<TruthScene> truth_scene(const std::string& name, const Limits& limits) {
-  TruthScene t = {.name = name.substr(name.find_last_of('/') + 1)};  // npos + 1 is 0
+  TruthScene t;
+  t.name = name.substr(name.find_last_of('/') + 1);  // npos + 1 is 0
   if (name == "slivers") {
     t.scene = fan_of_slivers();
   } else {
@@ -60,7 +63,9 @@ Result<TruthScene> truth_scene(const std::string& name, const Limits& limits) {
   o.height = 240;
   o.camera = name == "slivers" ? frame_camera(t.scene, {.view = View::front, .aspect = 4.0 / 3})
                                : study_camera(t.scene, o.width, o.height);
-  o.lights = {{.vector = {0.4, 0.6, 0.7}, .color = {0.85f, 0.85f, 0.85f}}};
+  Light& light = o.lights.emplace_back();
+  light.vector = {0.4, 0.6, 0.7};
+  light.color = {0.85f, 0.85f, 0.85f};
   o.cull = Cull::none;
   o.transfer = Transfer::none;
   o.background = {32 / 255.0f, 32 / 255.0f, 64 / 255.0f, 1};
