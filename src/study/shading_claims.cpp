@@ -135,7 +135,7 @@ StudyClaim formula_claim(const ShadingMeasurements& m, QuadraticForm form, doubl
                          "; a recurrence makes every pixel wait for the one before it, where (2.9) "
                          "needs no other pixel and sixteen are found at once. In the renderer these forms "
                          "share one copy of the kernel, which calls the form that was chosen: that costs "
-                         "them a fifth of their speed besides.");
+                         "them time besides.");
 }
 
 StudyClaim normalisation_claim(const ShadingMeasurements& m) {
