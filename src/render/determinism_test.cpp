@@ -189,18 +189,23 @@ std::vector<Case> cases() {
   return all;
 }
 
+// The scalar build is the slow witness: it draws each case once, on one, two or seven threads in turn.
 TEST(determinism, instruction_sets_threads_and_repeats_agree) {
+  constexpr int kThreads[] = {1, 2, 7};
+  std::size_t turn = 0;
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
-    const Frame expected = render_frame(c.scene, c.options, available_isas().front(), 1);
+    const int turn_threads = kThreads[turn++ % 3];
+    const Frame expected = render_frame(c.scene, c.options);
     EXPECT_TRUE(c.scene.instances.empty() || expected.statistics.pixels_covered > 0);
     for (const Isa isa : available_isas()) {
-      for (const int threads : {1, 2, 7}) {
+      for (const int threads : kThreads) {
+        if (isa == Isa::scalar && threads != turn_threads) continue;
         SCOPED_TRACE(std::string(isa_name(isa)) + ", threads " + std::to_string(threads));
         Frame frame;
         render_to(frame, c.scene, c.options, isa, threads);
         expect_same(frame, expected);
-        if (threads != 2) continue;
+        if (isa == Isa::scalar || threads != 2) continue;
         render_to(frame, c.scene, c.options, isa, threads);
         expect_same(frame, expected);
       }
