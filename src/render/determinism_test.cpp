@@ -162,12 +162,12 @@ std::vector<Case> cases() {
   }
   // Every method from close by, where triangles are clipped, with colours; and from afar, without normals.
   for (const std::string& shading : shadings()) {
-    RenderOptions& close = add((shading + ", clipped").c_str(), shape_scene("triangles?count=300&size=1"),
-                               with_planes(200, 200));
+    RenderOptions& close = add((shading + ", clipped").c_str(), shape_scene("triangles?count=100&size=1"),
+                               with_planes(170, 140));
     close.shading = shading;
     close.camera = camera_at({0.1, 0.2, 0.3}, {1, 0, 0}, 110);
     RenderOptions& far =
-        add((shading + ", instances").c_str(), instances_of("teapot?detail=4"), with_planes(333, 217));
+        add((shading + ", instances").c_str(), instances_of("teapot?detail=4"), with_planes(211, 137));
     far.shading = shading;
     far.camera = camera_at({0.5, 1.5, 6}, {0, 0, 0}, 50);
     far.lights = {lamp_at(Light::Kind::directional, {1, 2, 1}, {0.7f, 0.7f, 0.5f}),
@@ -287,7 +287,7 @@ Scene snapped_shape(const char* text, float pixels) {
 // The same scene elsewhere on a larger canvas: other tiles, other lanes, the same pixels. The small canvas
 // cuts it off.
 TEST(determinism, place_on_the_canvas_does_not_show) {
-  constexpr int kSmall = 150;
+  constexpr int kSmall = 110;
   for (const char* text :
        {"sphere?detail=12", "teapot?detail=12", "trefoil?detail=900", "triangles?count=2000&size=0.2"}) {
     const Scene scene = snapped_shape(text, 90);
@@ -302,7 +302,7 @@ TEST(determinism, place_on_the_canvas_does_not_show) {
            {Vec2<int>{16, 0}, {0, 16}, {48, 80}, {64, 64}, {1, 0}, {7, 13}, {-9, -5}}) {
         SCOPED_TRACE(std::string(text) + ", " + shading + ", " + antialias + ", moved by " +
                      std::to_string(shift.x) + "," + std::to_string(shift.y));
-        constexpr int kLarge = 400, kFirst = (kLarge - kSmall) / 2;
+        constexpr int kLarge = 280, kFirst = (kLarge - kSmall) / 2;
         o.width = o.height = kLarge;
         o.camera = pixel_camera(kLarge);
         const Vec3d by = {-double(shift.x), double(shift.y), 0};
