@@ -195,8 +195,8 @@ TEST(lighting_texture, instruction_sets_and_company_do_not_show) {
           SCOPED_TRACE(std::string(shape) + ", " + setting.name + ", lamps " + std::to_string(lamps));
           RenderOptions o;
           o.antialias = "none";
-          o.width = 291;
-          o.height = 190;
+          o.width = 211;
+          o.height = 138;
           o.shading = setting.name;
           o.cull = Cull::none;
           o.lights.resize(lamps);

@@ -172,8 +172,8 @@ TEST(normal_methods, instruction_sets_and_company_do_not_show) {
           SCOPED_TRACE(std::string(shape) + ", " + shading.name);
           RenderOptions o;
           o.antialias = "none";
-          o.width = 231;
-          o.height = 150;
+          o.width = 165;
+          o.height = 107;
           o.shading = shading.name;
           o.interpolation = interpolation;
           o.cull = Cull::none;

@@ -233,8 +233,8 @@ TEST(row_laws, instruction_sets_and_company_do_not_show) {
         SCOPED_TRACE(std::string(shape) + ", " + method);
         RenderOptions o;
         o.antialias = "none";
-        o.width = 231;
-        o.height = 150;
+        o.width = 165;
+        o.height = 107;
         o.shading = method;
         o.cull = Cull::none;
         o.camera = camera_inside(height);
