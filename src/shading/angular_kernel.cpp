@@ -17,6 +17,11 @@ struct AngularLaw : AngularRow {
     direct = direct | (c > Y(2.0f));
     return turn_of(min(c, Y(2.0f)));
   }
+
+  template <class F, class P>
+  static BLYSK_INLINE Point<P> point(const ShadeJob&, const Turn<F>& turn, const RowPoint<P>& at) {
+    return AngularRow::point(turn, at);
+  }
 };
 
 }  // namespace
