@@ -48,6 +48,11 @@ constexpr std::string_view kScenes[][2] = {
     {"spheres", "shape:spheres --camera 0 --specular 0.5,0.5,0.5"},
     {"materials", "shape:xfighter"},
     {"several", "shape:cube shape:sphere shape:torus --view top"},
+    // Triangles that `auto` interpolates, by planes, by surfaces, and some not.
+    {"interpolated", "shape:sphere?detail=24 --shading auto --size 600x400"},
+    {"interpolated-lights",
+     "shape:teapot?detail=16 --shading auto --interpolation screen --lobe w16 --light 1,2,3,0.6,0.5,0.4 "
+     "--light -3,1,1,0.2,0.3,0.4 --size 600x400"},
 };
 
 std::vector<Check> checks() {

@@ -168,10 +168,11 @@ constexpr Method kMethods[] = {
      "and those that do not hold the highlight are lit pixel by pixel",
      kLightingTextureSettings},
     {MethodKind::shading, "auto",
-     "For each triangle, colours interpolated where that is provably near Phong shading, else Phong shading",
+     "For each triangle, colours interpolated by planes or by a second-order surface where that is provably "
+     "near Phong shading, else Phong shading",
      "docs/auto.md", "phong", "",
      "within --max-error of phong; Phong shading alone for point lights, colours of vertices, the lighting "
-     "model phong and the lobes schlick, quadratic and logarithmic"},
+     "model phong, the lobes schlick, quadratic and logarithmic, and draws of which little fits"},
     {MethodKind::lighting, "blinn", "Specular term by N.H", "Blinn 1977; thesis 2.1", "", "",
      "L + V not zero"},
     {MethodKind::lighting, "phong", "Specular term by R.V", "Phong 1975; thesis (2.1)", "", "", "everywhere"},

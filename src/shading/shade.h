@@ -35,6 +35,10 @@ struct Draw {
   float matrix[12];                 ///< mesh to world, three rows
   Projection projection;
   Surface surface;
+
+  /// What `auto` has found out about the draw in this frame; all threads find the same.
+  enum InterpolationPays : std::uint8_t { kUnknown, kPays, kDoesNotPay };
+  mutable std::uint8_t interpolation_pays = kUnknown;
 };
 
 struct ShadeJob {

@@ -1,21 +1,25 @@
-// The bound of linear light against what Phong shading shows, in double precision. The kernels' header is
-// compiled here for the plain processor.
+// The bounds of linear and of curved light against what Phong shading shows, in double precision. The
+// kernels' headers are compiled here for the plain processor.
 #define BLYSK_ISA isa_test
-#include "shading/linear_light.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "lighting/lobe_reference.h"
 #include "lighting/set_lobe.h"
 #include "render/testing.h"
+#include "shading/curved_light.h"
+#include "shading/curved_light_reference.h"
+#include "shading/linear_light.h"
 #include "shading/linear_light_reference.h"
 
 namespace blysk {
 namespace {
+
+constexpr long kTriangles = 1000000;
 
 using isa_test::F32;
 using isa_test::kLanes;
@@ -155,24 +159,76 @@ void randomize_triangles(Random& random, Batch& b) {
   }
 }
 
+// What the corners of a triangle are to the first lamp where the viewer is at infinity.
+struct Corner3 {
+  Vec3d normal[3];  // unit, on the side that is seen
+  double n_l[3], n_h[3];
+  double l_plus_v;
+};
+
+void make_parallel(Batch& b) {
+  b.rays = ViewRays{};
+  b.rays.direction[2] = -1;
+  b.rays.orthographic = true;
+  b.job.screen_linear = true;
+  b.draw.surface.lamps = 1;
+}
+
+// After make_parallel().
+Corner3 corners_seen(const Batch& b, std::size_t triangle) {
+  const float* lamp = b.draw.surface.lamp[0].vector;
+  const Vec3d to_lamp = {lamp[0], lamp[1], lamp[2]}, sum = to_lamp + Vec3d{0, 0, 1};
+  Corner3 c{};
+  c.l_plus_v = length(sum);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3d n = to_double(b.normals[3 * triangle + k]);
+    c.normal[k] = n.z < 0 ? -n : n;
+    c.n_l[k] = dot(c.normal[k], to_lamp);
+    c.n_h[k] = dot(c.normal[k], sum) / c.l_plus_v;
+  }
+  return c;
+}
+
+// What points of the triangles show: 0..255, not rounded.
+isa_test::Rgb<F32> shown_at(const isa_test::LinearLight<F32>& l, F32 x, F32 y) {
+  const F32 dx = x - l.x, dy = y - l.y;
+  const auto value = [&](F32 at, F32 per_x, F32 per_y) {
+    return min(max((at + dy * per_y) + dx * per_x, F32(0.0f)), F32(255.0f));
+  };
+  return {value(l.at.x, l.per_x.x, l.per_y.x), value(l.at.y, l.per_x.y, l.per_y.y),
+          value(l.at.z, l.per_x.z, l.per_y.z)};
+}
+
+isa_test::Rgb<F32> shown_at(const isa_test::CurvedLight<F32>& l, F32 x, F32 y) {
+  const F32 down = y - l.y, right = (x - l.x) - down * l.slope;
+  const auto value = [&](const isa_test::SecondOrder<F32>& q) {
+    const auto row = along_row(q, down);
+    return min(max(row.p0 + right * (row.p1 + right * q.d), F32(0.0f)), F32(255.0f));
+  };
+  return {value(l.channel[0]), value(l.channel[1]), value(l.channel[2])};
+}
+
 // Of all of the triangles, those that fit alone.
 struct Judged {
   long triangles = 0, fitting = 0, tight = 0;
   double most = 0;  // measured error over the bound's
 };
 
-void judge(Random& random, const Batch& b, Judged& found) {
-  const auto light = isa_test::fetch_linear_light<F32>(b.job, isa_test::iota(0));
+// Weights of corners where the error is largest.
+using WorstPoints = double[2][3];
+
+// `light` is of the batch's triangles: what shown_at() wants, its error and whether it fits. They are looked
+// at near the points.
+template <class Light>
+void judge(Random& random, const Batch& b, const Light& light, const WorstPoints& points, Judged& found) {
   const unsigned fits = to_bits(light.fits);
   float bound[kLanes];
   isa_test::store(light.error, bound);
   double worst[kLanes] = {};
-  for (int point = 0; point < 8; ++point) {
+  const int turn = static_cast<int>(whole(random, 0, 2));
+  for (const double(&near)[3] : points) {
     double weight[3];
-    const double edge[3] = {0, 0.5, 0.5};
-    for (int k = 0; k < 3; ++k) {
-      weight[k] = point == 0 ? 1.0 / 3 : point < 4 ? edge[(k + point) % 3] : uniform(random, 0, 1);
-    }
+    for (int k = 0; k < 3; ++k) weight[k] = near[(k + turn) % 3] + uniform(random, 0, 0.1);
     const double sum = weight[0] + weight[1] + weight[2];
     for (double& w : weight) w /= sum;
     double x[kLanes], y[kLanes];
@@ -184,7 +240,7 @@ void judge(Random& random, const Batch& b, Judged& found) {
       xf[t] = static_cast<float>(x[t]);
       yf[t] = static_cast<float>(y[t]);
     }
-    const auto shown = isa_test::shown_at(light, isa_test::load(xf), isa_test::load(yf));
+    const auto shown = shown_at(light, isa_test::load(xf), isa_test::load(yf));
     float channel[3][kLanes];
     isa_test::store(shown.x, channel[0]);
     isa_test::store(shown.y, channel[1]);
@@ -209,28 +265,19 @@ void judge(Random& random, const Batch& b, Judged& found) {
 }
 
 // What reference::diffuse_bound() and specular_bound() make of a triangle; parallel projection, one lamp.
-double reference_error(const Batch& b, std::size_t triangle) {
+double linear_reference_error(const Batch& b, std::size_t triangle) {
   const Surface& s = b.draw.surface;
   const Lamp& lamp = s.lamp[0];
-  const Vec3d to_lamp = {lamp.vector[0], lamp.vector[1], lamp.vector[2]},
-              half = normalize(to_lamp + Vec3d{0, 0, 1});
-  Vec3d normal[3];
-  double n_l[3], n_h[3];
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3d n = to_double(b.normals[3 * triangle + k]);
-    normal[k] = n.z < 0 ? -n : n;
-    n_l[k] = dot(normal[k], to_lamp);
-    n_h[k] = dot(normal[k], half);
-  }
-  if (reference::least_of(n_l) <= 0) return 0;
-  const double bow = reference::largest_bow(normal);
+  const Corner3 c = corners_seen(b, triangle);
+  if (reference::least_of(c.n_l) <= 0) return 0;
+  const double bow = reference::largest_bow(c.normal);
   const double diffuse = double{std::max({lamp.diffuse[0], lamp.diffuse[1], lamp.diffuse[2]})} *
-                         reference::diffuse_bound(n_l, bow);
+                         reference::diffuse_bound(c.n_l, bow);
   if (s.model == LightingModel::lambert) return diffuse;
   const bool power = s.lobe == Lobe::power;
   const double exponent = power ? double{s.shininess} : s.lobe_exponent;
   return diffuse + double{std::max({lamp.specular[0], lamp.specular[1], lamp.specular[2]})} *
-                       reference::specular_bound(n_h, bow, exponent, power ? 1.0 : double{s.lobe_scale},
+                       reference::specular_bound(c.n_h, bow, exponent, power ? 1.0 : double{s.lobe_scale},
                                                  [&](double base) { return std::pow(base, exponent); });
 }
 
@@ -239,14 +286,10 @@ TEST(linear_light, bound_is_its_reference_over_a_million_triangles) {
   Batch batch;
   long triangles = 0;
   double worst = 0;
-  while (triangles < 1000000) {
+  while (triangles < kTriangles) {
     randomize_light(random, batch);
-    batch.rays = ViewRays{};
-    batch.rays.direction[2] = -1;
-    batch.rays.orthographic = true;
-    batch.job.screen_linear = true;
+    make_parallel(batch);
     batch.job.transfer = Transfer::none;
-    batch.draw.surface.lamps = 1;
     for (int i = 0; i < 64; ++i) {
       randomize_triangles(random, batch);
       for (Vec3f& n : batch.normals) n = to_float(normalize(to_double(n)));
@@ -256,7 +299,7 @@ TEST(linear_light, bound_is_its_reference_over_a_million_triangles) {
       isa_test::store(light.error, bound);
       for (std::size_t t = 0; t < kLanes; ++t) {
         if ((fits >> t & 1) == 0) continue;
-        const double exact = reference_error(batch, t);
+        const double exact = linear_reference_error(batch, t);
         worst = std::max(worst, std::abs(double{bound[t]} - exact) / (1e-3 * exact + 2e-6));
         ++triangles;
       }
@@ -267,14 +310,16 @@ TEST(linear_light, bound_is_its_reference_over_a_million_triangles) {
 }
 
 TEST(linear_light, bound_holds_over_a_million_triangles) {
+  constexpr WorstPoints kPoints = {{0, 0.5, 0.5}, {0.3, 0.3, 0.3}};
   Random random(31);
   Batch batch;
   Judged found;
-  while (found.fitting < 1000000 && !HasFailure()) {
+  while (found.fitting < kTriangles && !HasFailure()) {
     randomize_light(random, batch);
     for (int i = 0; i < 8; ++i) {
       randomize_triangles(random, batch);
-      judge(random, batch, found);
+      const auto light = isa_test::fetch_linear_light<F32>(batch.job, isa_test::iota(0));
+      judge(random, batch, light, kPoints, found);
     }
   }
   RecordProperty("triangles", std::to_string(found.triangles));
@@ -283,6 +328,97 @@ TEST(linear_light, bound_holds_over_a_million_triangles) {
   // Not absurdly pessimistic: it is reached nearly, and half of the triangles come within a factor of 8.
   EXPECT_GT(found.most, 0.5);
   EXPECT_GT(found.tight * 2, found.fitting);
+}
+
+bool randomize_curved_light(Random& random, Batch& b) {
+  randomize_light(random, b);
+  return isa_test::has_curved_light(b.draw);
+}
+
+TEST(curved_light, bound_holds_over_a_million_triangles) {
+  constexpr WorstPoints kPoints = {{0, 0.2, 0.75}, {0.1, 0.1, 0.65}};
+  Random random(33);
+  Batch batch;
+  Judged found;
+  while (found.fitting < kTriangles && !HasFailure()) {
+    if (!randomize_curved_light(random, batch)) continue;
+    for (int i = 0; i < 8; ++i) {
+      randomize_triangles(random, batch);
+      const auto light = isa_test::fetch_curved_light<F32>(batch.job, isa_test::iota(0));
+      judge(random, batch, light, kPoints, found);
+    }
+  }
+  RecordProperty("triangles", std::to_string(found.triangles));
+  RecordProperty("most", std::to_string(found.most));
+  RecordProperty("tight", std::to_string(double(found.tight) / double(found.fitting)));
+  // Not absurdly pessimistic: a third of it is reached, and a third of the triangles come within a factor
+  // of 8.
+  EXPECT_GT(found.most, 0.3);
+  EXPECT_GT(found.tight * 3, found.fitting);
+}
+
+// Parallel projection, one lamp.
+double curved_reference_error(const Batch& b, std::size_t triangle) {
+  const Surface& s = b.draw.surface;
+  const Lamp& lamp = s.lamp[0];
+  const Corner3 c = corners_seen(b, triangle);
+  reference::Jet diffuse{}, specular{};
+  if (reference::least_of(c.n_l) > 0) {
+    const reference::NormalTurn turn(c.normal);
+    diffuse = reference::cosine_jet(turn, c.n_l);
+    if (s.model != LightingModel::lambert) {
+      const bool power = s.lobe == Lobe::power;
+      specular = reference::lobe_jet(turn, c.n_h, c.l_plus_v, power ? double{s.shininess} : s.lobe_exponent,
+                                     power ? 1.0 : double{s.lobe_scale});
+    }
+  }
+  double worst = 0;
+  for (int i = 0; i < 3; ++i) {
+    const reference::Jet channel = reference::Jet{double{s.ambient[i]}, 0, 0, 0} +
+                                   double{lamp.diffuse[i]} * diffuse + double{lamp.specular[i]} * specular;
+    worst = std::max(worst, b.job.transfer == Transfer::srgb ? reference::srgb_surface_bound(channel)
+                                                             : reference::surface_bound(channel));
+  }
+  return worst;
+}
+
+TEST(curved_light, bound_is_its_reference_over_a_million_triangles) {
+  Random random(34);
+  Batch batch;
+  long triangles = 0;
+  double worst = 0;
+  while (triangles < kTriangles) {
+    if (!randomize_curved_light(random, batch)) continue;
+    make_parallel(batch);
+    for (int i = 0; i < 64; ++i) {
+      randomize_triangles(random, batch);
+      for (Vec3f& n : batch.normals) n = to_float(normalize(to_double(n)));
+      const auto light = isa_test::fetch_curved_light<F32>(batch.job, isa_test::iota(0));
+      const unsigned fits = to_bits(light.fits);
+      float bound[kLanes];
+      isa_test::store(light.error, bound);
+      for (std::size_t t = 0; t < kLanes; ++t) {
+        if ((fits >> t & 1) == 0) continue;
+        const double exact = curved_reference_error(batch, t);
+        worst = std::max(worst, std::abs(double{bound[t]} - exact) / (2e-3 * exact + 4e-6));
+        ++triangles;
+      }
+    }
+  }
+  EXPECT_LT(worst, 1);
+  EXPECT_GT(worst, 0.01);
+}
+
+// Short polynomials stand in for the transfer function's root.
+TEST(curved_light, root_of_the_transfer_function) {
+  double worst = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const float x = isa_test::kSrgbFoot * static_cast<float>(std::exp(i * 1e-4));
+    const double exact = std::pow(double{x}, 1 / 2.4);
+    worst = std::max(worst, std::abs(double{isa_test::srgb_root(x)} - exact) / exact);
+  }
+  EXPECT_LT(worst, 5e-6);
+  EXPECT_GT(worst, 1e-6);
 }
 
 }  // namespace
