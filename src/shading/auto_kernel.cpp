@@ -24,19 +24,13 @@ struct Run {
   std::uint16_t number;  // the triangle's
 };
 
-// Where a row's pixels have the id of one in the row above: straight above a pixel, above to its right, and
-// (bits are those of the row above) below to the right of it.
-struct Above {
-  RowBits straight = 0, right = 0, left = 0;
-};
-
-// Triangles of some rows of a tile, numbered from 1 as they appear. They are known by the row above: one that
-// comes back after a row without it gets another number, which costs a set-up and shows nothing.
+// Triangles of some rows of a tile, numbered from 1 as they appear.
 class Census {
  public:
   BLYSK_INLINE void clear() {
     count_ = runs_ = 0;
-    pixels_ = 0;
+    triangle_[0] = -1;
+    std::memset(place_, 0, sizeof place_);
   }
   [[nodiscard]] BLYSK_INLINE int count() const { return count_; }
   [[nodiscard]] BLYSK_INLINE int runs() const { return runs_; }
@@ -44,30 +38,30 @@ class Census {
   [[nodiscard]] BLYSK_INLINE bool has_room_for_row() const { return count_ + kTileSize <= kMostTriangles; }
 
   // Of a row with these ids; runs of its pixels end at `ends`.
-  BLYSK_INLINE void add_row(const std::uint32_t* id, RowBits pixels, RowBits ends, const Above& same) {
+  BLYSK_INLINE void add_row(const std::uint32_t* id, RowBits pixels, RowBits ends) {
     RowBits starts = pixels & ~((pixels & ~ends) << 1);
-    const std::int32_t* above = number_[row_];
-    row_ ^= 1;
-    std::int32_t* here = number_[row_];
     int count = count_, runs = runs_;
     for (; starts != 0; starts &= starts - 1, ends &= ends - 1) {
-      const int first = lowest(starts), last = lowest(ends);
-      const RowBits run = (RowBits{2} << last) - (RowBits{1} << first);
-      const RowBits known =
-          ((same.straight & run) | (same.right & run) << 1 | (same.left & run >> 1)) & pixels_;
-      // Whether it is new cannot be foreseen: nothing branches on that.
-      const std::int32_t is_new = -static_cast<std::int32_t>(known == 0);
-      count -= is_new;
-      const std::int32_t old = above[lowest(known | RowBits{1} << 63)];
-      const std::int32_t number = old ^ ((old ^ count) & is_new);
-      triangle_[number] = static_cast<std::int32_t>(id[first]);
-      for (int at = first; at <= last; at += kLanes) store(I32(number), here + at);
-      run_[runs++] = {static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(last),
+      const int first = lowest(starts);
+      const auto triangle = static_cast<std::int32_t>(id[first]);
+      std::uint32_t at = (id[first] * 2654435769u) >> (32 - kBits);
+      std::int32_t number = place_[at];
+      // Whether it is new cannot be foreseen: nothing branches on that alone.
+      while (__builtin_expect(static_cast<int>(number != 0) & static_cast<int>(triangle_[number] != triangle),
+                              0)) {
+        at = (at + 1) & (kPlaces - 1);
+        number = place_[at];
+      }
+      const int is_new = static_cast<int>(number == 0);
+      count += is_new;
+      number |= -is_new & count;
+      triangle_[number] = triangle;
+      place_[at] = static_cast<std::uint16_t>(number);
+      run_[runs++] = {static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(lowest(ends)),
                       static_cast<std::uint16_t>(number)};
     }
     count_ = count;
     runs_ = runs;
-    pixels_ = pixels;
   }
 
   // Ids by number; there is one for 0, and for lanes past the last.
@@ -78,9 +72,10 @@ class Census {
   }
 
  private:
-  int count_ = 0, runs_ = 0, row_ = 0;
-  RowBits pixels_ = 0;                               // of the row above
-  std::int32_t number_[2][kTileSize + kLanes] = {};  // of pixels of this row and the one above
+  static constexpr int kBits = 12, kPlaces = 1 << kBits;
+
+  int count_ = 0, runs_ = 0;
+  std::uint16_t place_[kPlaces];  // numbers by hash
   std::int32_t triangle_[kTriangleRoom];
   Run run_[kTilePixels];
 };
@@ -136,21 +131,13 @@ class AutoShader {
 
   BLYSK_INLINE void number_row(int row) {
     const std::uint32_t* id = job_.buffers->id + row * kTileSize;
-    const std::uint32_t* id_above = row == 0 ? id : id - kTileSize;  // the census knows that there is none
     RowBits pixels = 0, changes = 0;
-    Above same;
     for (int column = 0; column < job_.width; column += kLanes) {
-      const auto put = [&](RowBits& bits, unsigned of_block) { bits |= RowBits{of_block} << column; };
-      const I32 here = load(id + column), next = load(id + column + 1);
-      const I32 above = load(id_above + column), next_above = load(id_above + column + 1);
-      put(pixels, phong_.own_pixels(row, column));
-      put(changes, to_bits(here != next));
-      put(same.straight, to_bits(here == above));
-      put(same.right, to_bits(here == next_above));
-      put(same.left, to_bits(next == above));
+      pixels |= RowBits{phong_.own_pixels(row, column)} << column;
+      changes |= RowBits{to_bits(load(id + column) != load(id + column + 1))} << column;
     }
     // Past the last column, too, a triangle ends.
-    census_.add_row(id, pixels, pixels & (changes | ~(pixels >> 1)), same);
+    census_.add_row(id, pixels, pixels & (changes | ~(pixels >> 1)));
     ends_[row] = census_.runs();
   }
 
