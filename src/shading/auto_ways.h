@@ -34,22 +34,18 @@ struct RunPixels {
   std::uint32_t* color;
 };
 
-/// Hands value(x of four pixels) to the pixels of a run, eight at a time: most have no more, and which have
-/// cannot be foreseen.
+/// Hands value(x of four pixels) to the pixels of a run.
 template <class Value>
 BLYSK_INLINE void store_run(const RunPixels& run, Value value) {
-  const F32 lowest(0.0f), highest(255.0f);
-  const auto clamped = [&](F32 v) { return min(max(v, lowest), highest); };
+  const F32 lowest(0.0f), highest(255.0f), step(static_cast<float>(kQuad * kSubpixels));
   F32 x = F32(run.x) + quad_columns();
-  const F32 step(static_cast<float>(kQuad * kSubpixels));
   std::uint64_t left = run.pixels;
   std::uint32_t* to = run.color;
   do {
-    store_quad(clamped(value(x)), static_cast<unsigned>(left), to);
-    store_quad(clamped(value(x + step)), static_cast<unsigned>(left >> kQuad), to + kQuad);
-    x = x + step + step;
-    to += 2 * kQuad;
-    left >>= 2 * kQuad;
+    store_quad(min(max(value(x), lowest), highest), static_cast<unsigned>(left), to);
+    x = x + step;
+    to += kQuad;
+    left >>= kQuad;
   } while (left != 0);
 }
 
