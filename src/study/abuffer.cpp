@@ -68,22 +68,23 @@ SceneResult measure_all(const StudyScene& scene, const SceneRow* row, ThreadPool
                         .height = scene.height,
                         .triangles_in = scene.triangles_in,
                         .triangles = scene.triangles.size()};
-  std::vector<Variant> variants = variants_of(kPolicies, 1, kMostFragments);
-  variants.push_back({.kind = Variant::Kind::zbuffer});
-  variants.push_back({.kind = Variant::Kind::carpenter});
-  Measured measured = measure(scene, Order::random, kSeed, variants, threads);
-  result.complexity = measured.complexity;
-  result.live = std::move(measured.live);
-  result.carpenter = measured.quality.back();
-  measured.quality.pop_back();
-  result.zbuffer = measured.quality.back();
-  measured.quality.pop_back();
-  result.quality = std::move(measured.quality);
-
-  const std::vector<Variant> some = variants_of(kExpectedPolicies, 3, 3);
+  std::vector<Submission> runs = {{Order::random, kSeed, variants_of(kPolicies, 1, kMostFragments)}};
+  runs[0].variants.push_back({.kind = Variant::Kind::zbuffer});
+  runs[0].variants.push_back({.kind = Variant::Kind::carpenter});
   for (const OrderRow& order : kOtherOrders) {
-    result.orders.push_back(
-        {std::string(order.name), measure(scene, order.order, order.seed, some, threads).quality});
+    runs.push_back({order.order, order.seed, variants_of(kExpectedPolicies, 3, 3)});
+  }
+  std::vector<Measured> measured = measure(scene, runs, threads);
+  Measured& all = measured[0];
+  result.complexity = all.complexity;
+  result.live = std::move(all.live);
+  result.carpenter = all.quality.back();
+  all.quality.pop_back();
+  result.zbuffer = all.quality.back();
+  all.quality.pop_back();
+  result.quality = std::move(all.quality);
+  for (std::size_t i = 0; i < std::size(kOtherOrders); ++i) {
+    result.orders.push_back({std::string(kOtherOrders[i].name), std::move(measured[i + 1].quality)});
   }
   if (scene.common_memory) result.memory = measure_memory(scene, Order::random, kSeed, threads);
   return result;
