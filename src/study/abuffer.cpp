@@ -37,7 +37,7 @@ Result<std::vector<TruthResult>> measure_truths(const StudyOptions& options) {
   if (options.scenes.empty()) names.insert(names.begin(), {"xfighter", "slivers"});
   std::vector<TruthResult> results;
   for (const std::string& name : names) {
-    if (options.progress) options.progress(name + " against the truth");
+    if (options.progress) options.progress("measuring " + name + " against the truth");
     const Result<TruthScene> scene = truth_scene(name, options.limits);
     if (!scene) return scene.error();
     Result<TruthResult> result = measure_truth(*scene, "supersample:n=4", options.threads);
@@ -125,18 +125,18 @@ Result<StudyReport> study_abuffer(const StudyOptions& options) {
     const bool wanted =
         options.scenes.empty() || std::ranges::find(options.scenes, row.name) != options.scenes.end();
     if (!wanted) continue;
-    if (options.progress) options.progress(row.name);
+    if (options.progress) options.progress("measuring " + std::string(row.name));
     if (const Status status = add(study::make_scene(row), &row); !status) return status.error();
   }
   for (const std::string& model : options.models) {
-    if (options.progress) options.progress(model);
+    if (options.progress) options.progress("measuring " + model);
     const Status status = add(study::model_scene(model, options.limits), nullptr);
     if (!status) return status.error();
   }
   std::vector<study::TurningResult> turning;
   for (const std::string_view shape : {"xfighter", "trefoil?detail=384"}) {
     if (!options.scenes.empty()) break;
-    if (options.progress) options.progress("a turning model");
+    if (options.progress) options.progress("measuring a turning model");
     const Result<study::TurningResult> result = study::measure_turning(shape, threads);
     if (!result) return result.error();
     turning.push_back(*result);
