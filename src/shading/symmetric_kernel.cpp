@@ -12,7 +12,7 @@ namespace {
 
 template <bool kExact>
 struct SymmetricLaw : SymmetricRow<kExact> {
-  static constexpr int kRowSetting = 1;
+  static constexpr int kRowSetting = 1, kEndsSetting = -1;
   template <class Y, class M>
   static BLYSK_INLINE RootTerms<Y> turn_along(const ShadeJob& job, Y c, M& direct) {
     const auto root = static_cast<RowRoot>(job.settings[0]);
@@ -24,6 +24,11 @@ struct SymmetricLaw : SymmetricRow<kExact> {
       direct = direct | (own_root_error(c) * Y(power) > Y(1.0f / 510));
     }
     return root_terms(root, c);
+  }
+  template <class Y>
+  static BLYSK_INLINE auto dot_of(const ShadeJob&, const RootTerms<Y>& turn, const LawEnds<Y>& ends,
+                                  const Path<Y>& x) {
+    return SymmetricRow<kExact>::dot_along(turn, ends.first, ends.last, x);
   }
 };
 
