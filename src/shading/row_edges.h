@@ -25,7 +25,7 @@ BLYSK_INLINE V3<Y> turned(const V3<Y>& a, const V3<Y>& b, Y u) {
 template <class Y>
 struct EdgePoint {
   V3<Y> normal;
-  Y x, q;  ///< q: weight of its attributes
+  Y x, q;  ///< subpixels from the top corner, so that its place does not show; weight of its attributes
 };
 
 /// u: share of b on the screen.
@@ -54,7 +54,7 @@ __attribute__((noinline)) EdgeNormals<Y> edge_normals(const ShadeJob& job, const
   EdgePoint<Y> corner[3];
   for (int k = 0; k < 3; ++k) {
     const V3<F> n = made_unit(corner_normal(job, c, k));
-    corner[k] = {{Y(n.x), Y(n.y), Y(n.z)}, Y(c.x[k]), Y(c.q[k])};
+    corner[k] = {{Y(n.x), Y(n.y), Y(n.z)}, Y(c.x[k] - c.x[0]), Y(c.q[k])};
   }
   const auto& [top, bottom, middle] = corner;
   const Y zero(0.0f), one(1.0f);
@@ -74,9 +74,10 @@ __attribute__((noinline)) EdgeNormals<Y> edge_normals(const ShadeJob& job, const
     const Y width = other.x - along.x, u = (x - along.x) / select(magnitude(width) < one, one, width);
     return made_unit(between(along, other, min(max(u, zero), one)).normal);
   };
+  const Y from(c.x[0]);
   const auto wide = [](const V3<Y>& a, const V3<Y>& b) { return dot(a, b) < Y(0.0f); };
   const auto gone = [](const V3<Y>& n) { return dot(n, n) < Y(0.5f); };
-  return {at(row.first), at(row.last),
+  return {at(row.first - from), at(row.last - from),
           wide(top.normal, bottom.normal) | wide(top.normal, middle.normal) |
               wide(middle.normal, bottom.normal) | gone(top.normal) | gone(middle.normal) |
               gone(bottom.normal)};
