@@ -311,7 +311,7 @@ struct RowMethod {
       P c = s.model == LightingModel::blinn ? Law::cosine(row.n_h, point, far && far_viewer)
                                             : P(2.0f) * n_l * n_v - value(row.l_v, point.at);
       c = min(max(c, zero), one);
-      const P lobe = select(n_l > zero, specular_lobe(c * c, s), zero);
+      const P lobe = select(n_l > zero, lobe_of_cosine(c, s), zero);
       sum.specular = plus_scaled(sum.specular, s.lamp[i].specular, lobe);
     }
     return sum;
