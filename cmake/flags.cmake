@@ -11,10 +11,26 @@ if(BLYSK_SANITIZE)
   target_link_options(blysk_flags INTERFACE -fsanitize=${BLYSK_SANITIZE})
 endif()
 
-# Compiled once for each target instead of once for each source. Sources name what they need nevertheless: with clang
-# all is built without.
-set(BLYSK_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <cstring> <functional> <map> <memory> <optional> <span>
-    <string> <string_view> <vector>)
+option(BLYSK_ROOMS "Compile the sources of a folder together: a third of the time, from nothing" OFF)
+
+# With BLYSK_ROOMS, the target's sources are one text a folder. Names in unnamed namespaces are then one folder's;
+# that every source names the headers it needs is seen by the builds without.
+function(blysk_compile_rooms target)
+  if(NOT BLYSK_ROOMS)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC takes a source that is included for a header.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_filename_component(room ${source} DIRECTORY)
+    get_filename_component(room ${room} NAME)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room})
+  endforeach()
+endfunction()
 
 # The scalar build is the plain witness that the others are compared with. Its sixteen lanes are loops in functions:
 # unrolled and inlined, they would take the compiler minutes.

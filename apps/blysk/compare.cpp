@@ -28,7 +28,7 @@ Status check_output_file(const Arguments& arguments, std::string_view name) {
   return check_place(path->text);
 }
 
-Status check_options(const Arguments& arguments) {
+Status check_compare_options(const Arguments& arguments) {
   if (const Value* map = arguments.find("difference")) {
     if (const Result<PictureFormat> format = picture_format(map->text); !format) return format.error();
   }
@@ -210,7 +210,7 @@ std::vector<std::vector<std::string>> comparison_rows(const Comparison& comparis
 }
 
 Result<int> run_compare(const Arguments& arguments) {
-  if (const Status status = check_options(arguments); !status) return status.error();
+  if (const Status status = check_compare_options(arguments); !status) return status.error();
   const Result<Comparison> comparison =
       arguments.has("methods") ? compare_methods(arguments) : compare_pictures(arguments);
   if (!comparison) return comparison.error();

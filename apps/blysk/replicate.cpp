@@ -12,7 +12,7 @@
 namespace blysk::command {
 namespace {
 
-Status check_options(const Arguments& arguments) {
+Status check_replicate_options(const Arguments& arguments) {
   if (arguments.has("json") && arguments.has("markdown")) {
     return usage_error("--markdown", "cannot stand beside --json");
   }
@@ -63,7 +63,7 @@ Status write_plots(const std::vector<StudyReport>& reports, const std::string& f
 }  // namespace
 
 Result<int> run_replicate(const Arguments& arguments) {
-  if (const Status status = check_options(arguments); !status) return status.error();
+  if (const Status status = check_replicate_options(arguments); !status) return status.error();
   const std::string folder = arguments.has("output") ? arguments.text("output") : "";
   if (!folder.empty()) {
     if (const Status status = check_place(plot_path(folder, "plot")); !status) return status.error();

@@ -53,7 +53,7 @@ struct Layer {
 };
 
 std::vector<std::vector<Layer>> layers_of(const Crowd& crowd) {
-  constexpr int kAcross = kWidth * 4, kDown = kHeight * 4;
+  constexpr int kAcross = kCrowdWidth * 4, kDown = kCrowdHeight * 4;
   std::vector<std::vector<Layer>> layers(std::size_t{kAcross} * kDown);
   for (std::size_t i = 0; i < crowd.triangles.size(); ++i) {
     reference::for_each_covered(crowd.triangles[i], kAcross, kDown, [&](int x, int y) {
@@ -68,12 +68,13 @@ std::vector<std::vector<Layer>> layers_of(const Crowd& crowd) {
   return layers;
 }
 
-struct Expected {
+struct ThroughGlass {
   Vec3d color;
   bool doubtful = false;
 };
 
-void add_sample(const GlassCrowd& crowd, const std::vector<Layer>& layers, Vec3d background, Expected& e) {
+void add_sample(const GlassCrowd& crowd, const std::vector<Layer>& layers, Vec3d background,
+                ThroughGlass& e) {
   double through = 1;
   Vec3d color;
   for (std::size_t k = 0; k < layers.size() && through > 0; ++k) {
@@ -101,17 +102,18 @@ TEST(glass, agrees_with_brute_force_at_every_sample) {
     for (const Isa isa : available_isas()) {
       const Frame frame = render_frame(crowd.scene, o, isa, 2);
       EXPECT_EQ(frame.statistics.layers_merged, 0u);
-      for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
-          Expected e;
+      for (int y = 0; y < kCrowdHeight; ++y) {
+        for (int x = 0; x < kCrowdWidth; ++x) {
+          ThroughGlass e;
           for (int s = 0; s < 16; ++s) {
-            add_sample(crowd, layers[static_cast<std::size_t>((4 * y + s / 4) * kWidth * 4 + 4 * x + s % 4)],
+            add_sample(crowd,
+                       layers[static_cast<std::size_t>((4 * y + s / 4) * kCrowdWidth * 4 + 4 * x + s % 4)],
                        background, e);
           }
           ++pixels;
           if (e.doubtful) continue;
           ++clear;
-          const std::uint32_t pixel = frame.image.pixels[static_cast<std::size_t>(y * kWidth + x)];
+          const std::uint32_t pixel = frame.image.pixels[static_cast<std::size_t>(y * kCrowdWidth + x)];
           ASSERT_NEAR(channel(pixel, 0), e.color.x, 0.6 / 255) << isa_name(isa) << " " << x << "," << y;
           ASSERT_NEAR(channel(pixel, 1), e.color.y, 0.6 / 255) << isa_name(isa) << " " << x << "," << y;
           ASSERT_NEAR(channel(pixel, 2), e.color.z, 0.6 / 255) << isa_name(isa) << " " << x << "," << y;
@@ -187,10 +189,10 @@ TEST(glass, coincident_leaves_are_exact_up_to_the_bound_and_told_beyond_it) {
       EXPECT_EQ(s.layers_generated, s.pixels_shared * static_cast<std::uint64_t>(count));
       // Leaves of one plane and colour merge without loss.
       const double through = std::pow(1 - double{0.02f}, count);
-      const std::uint32_t pixel = frame.image.pixels[30 * kWidth + 30];
+      const std::uint32_t pixel = frame.image.pixels[30 * kCrowdWidth + 30];
       EXPECT_NEAR(channel(pixel, 0), 0.5 + (0.25 - 0.5) * through, 0.7 / 255);
       EXPECT_NEAR(channel(pixel, 1), 0.75 + (0.5 - 0.75) * through, 0.7 / 255);
-      const std::uint32_t edge = frame.image.pixels[30 * kWidth + 10];
+      const std::uint32_t edge = frame.image.pixels[30 * kCrowdWidth + 10];
       EXPECT_NEAR(channel(edge, 1), 0.5 + 0.5 * (0.75 - 0.5) * (1 - through), 0.7 / 255);
       if (threads == 1) first = frame;
       expect_same_picture(frame, first);
@@ -202,7 +204,7 @@ TEST(glass, alpha_is_what_is_not_seen_through) {
   RenderOptions o = sample_options();
   o.background = {0, 0, 0, 0};
   const Frame frame = render_frame(leaves(2, 0.5f).scene, o);
-  const std::uint32_t* row = frame.image.pixels.data() + 30 * kWidth;
+  const std::uint32_t* row = frame.image.pixels.data() + 30 * kCrowdWidth;
   EXPECT_EQ(row[9], 0u);
   EXPECT_EQ(row[10] >> 24, 96u);  // half of 3/4
   EXPECT_EQ(row[11] >> 24, 191u);
@@ -216,12 +218,12 @@ TEST(glass, masks_are_all_or_nothing) {
   Material& m = crowd.scene.materials[0];
   m.alpha_mode = AlphaMode::mask;
   m.alpha_cutoff = 0.4f;
-  EXPECT_EQ(render_frame(crowd.scene, o).image.pixels[30 * kWidth + 30], 0xff40bf80u);
+  EXPECT_EQ(render_frame(crowd.scene, o).image.pixels[30 * kCrowdWidth + 30], 0xff40bf80u);
   m.alpha_cutoff = 0.6f;
   const Frame clear = render_frame(crowd.scene, o);
   EXPECT_EQ(clear.statistics.pixels_covered, 0u);
   m.alpha_mode = AlphaMode::opaque;  // then opacity means nothing
-  EXPECT_EQ(render_frame(crowd.scene, o).image.pixels[30 * kWidth + 30], 0xff40bf80u);
+  EXPECT_EQ(render_frame(crowd.scene, o).image.pixels[30 * kCrowdWidth + 30], 0xff40bf80u);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct Seen {
 
 // Samples are pixels of the reference.
 std::vector<Seen> look(const Crowd& crowd) {
-  constexpr int kAcross = kWidth * 4, kDown = kHeight * 4;
+  constexpr int kAcross = kCrowdWidth * 4, kDown = kCrowdHeight * 4;
   std::vector<Seen> seen(std::size_t{kAcross} * kDown);
   for (std::size_t i = 0; i < crowd.triangles.size(); ++i) {
     const reference::Triangle& t = crowd.triangles[i];
@@ -42,17 +42,18 @@ std::vector<Seen> look(const Crowd& crowd) {
   return seen;
 }
 
-struct Expected {
+struct ExpectedPixel {
   Vec3d color;
   bool doubtful = false;  ///< rounding may decide
   bool whole = true;      ///< one surface, or none
   int first = -1;
 };
 
-Expected expect_pixel(const Crowd& crowd, const std::vector<Seen>& seen, Vec4f background, int x, int y) {
-  Expected e;
+ExpectedPixel expect_pixel(const Crowd& crowd, const std::vector<Seen>& seen, Vec4f background, int x,
+                           int y) {
+  ExpectedPixel e;
   for (int s = 0; s < 16; ++s) {
-    const Seen& at = seen[static_cast<std::size_t>((4 * y + s / 4) * kWidth * 4 + 4 * x + s % 4)];
+    const Seen& at = seen[static_cast<std::size_t>((4 * y + s / 4) * kCrowdWidth * 4 + 4 * x + s % 4)];
     Vec3f c = {background.x, background.y, background.z};
     if (at.triangle >= 0) {
       const auto i = static_cast<std::size_t>(at.triangle);
@@ -78,13 +79,13 @@ TEST_P(Exact, agrees_with_brute_force_at_every_sample) {
     const RenderOptions o = sample_options();
     for (const Isa isa : available_isas()) {
       const Frame frame = render_frame(crowd.scene, o, isa, 1 + round % 3);
-      for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
-          const Expected e = expect_pixel(crowd, seen, o.background, x, y);
+      for (int y = 0; y < kCrowdHeight; ++y) {
+        for (int x = 0; x < kCrowdWidth; ++x) {
+          const ExpectedPixel e = expect_pixel(crowd, seen, o.background, x, y);
           ++pixels;
           if (e.doubtful) continue;
           ++clear;
-          const auto p = static_cast<std::size_t>(y * kWidth + x);
+          const auto p = static_cast<std::size_t>(y * kCrowdWidth + x);
           const std::uint32_t pixel = frame.image.pixels[p];
           ASSERT_NEAR(channel(pixel, 0), e.color.x, 0.6 / 255) << isa_name(isa) << " " << x << "," << y;
           ASSERT_NEAR(channel(pixel, 1), e.color.y, 0.6 / 255) << isa_name(isa) << " " << x << "," << y;
@@ -130,10 +131,10 @@ TEST(abuffer, whole_pixels_are_those_of_no_antialiasing) {
       const Frame sampled = render_frame(crowd.scene, o);
       o.antialias = "none";
       const Frame plain = render_frame(crowd.scene, o);
-      for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
-          const Expected e = expect_pixel(crowd, seen, o.background, x, y);
-          const auto p = static_cast<std::size_t>(y * kWidth + x);
+      for (int y = 0; y < kCrowdHeight; ++y) {
+        for (int x = 0; x < kCrowdWidth; ++x) {
+          const ExpectedPixel e = expect_pixel(crowd, seen, o.background, x, y);
+          const auto p = static_cast<std::size_t>(y * kCrowdWidth + x);
           // A sliver may pass through the centre between all samples.
           if (!e.whole || e.doubtful || plain.id[p] != static_cast<std::uint32_t>(e.first + 1)) continue;
           ASSERT_EQ(sampled.image.pixels[p], plain.image.pixels[p]) << method.name << " " << x << "," << y;
@@ -190,7 +191,7 @@ TEST(abuffer, alpha_is_coverage_over_a_transparent_background) {
     o.transfer = transfer;
     o.background = {0, 0, 0, 0};
     const Frame frame = render_frame(crowd.scene, o);
-    const std::uint32_t* row = frame.image.pixels.data() + 30 * kWidth;
+    const std::uint32_t* row = frame.image.pixels.data() + 30 * kCrowdWidth;
     EXPECT_EQ(row[9], 0u);
     EXPECT_EQ(row[10] >> 24, 128u);
     EXPECT_EQ(row[10] & 0xffffff, row[11] & 0xffffff);
@@ -198,7 +199,7 @@ TEST(abuffer, alpha_is_coverage_over_a_transparent_background) {
     // Half opaque background below the other half: alpha 3/4, colours in proportion 2 : 1.
     o.background = {0, 0, 0, 0.5f};
     const Frame over = render_frame(crowd.scene, o);
-    row = over.image.pixels.data() + 30 * kWidth;
+    row = over.image.pixels.data() + 30 * kCrowdWidth;
     EXPECT_EQ(row[10] >> 24, 191u);
     if (transfer == Transfer::none) {
       EXPECT_EQ(row[10] & 255, 128u);  // 0.75 * 2 / 3

@@ -14,8 +14,9 @@ namespace {
 using namespace panel;
 
 constexpr std::uint32_t kEqual = 0xff000000;
-constexpr int kPanelWidth = width_for(3);
-constexpr int kLeastHeight = 2 * kMargin + 5 * kDigitHeight;  // room for a few labels beside a small picture
+constexpr int kDifferencePanel = width_for(3);
+constexpr int kLeastDifferenceHeight =
+    2 * kMargin + 5 * kDigitHeight;  // room for a few labels beside a small picture
 constexpr int kLeastTickDistance = 3 * kDigitHeight / 2;
 
 struct Rgb {
@@ -94,10 +95,10 @@ void draw_bar(Image& image, int left, const Palette& palette, int full_scale) {
 
 Result<Image> difference_picture(const Image& reference, const Image& candidate, int full_scale) {
   if (const Status status = check_same_size(reference, candidate); !status) return status.error();
-  if (reference.width > kMaxPictureSide - kPanelWidth) {
+  if (reference.width > kMaxPictureSide - kDifferencePanel) {
     return Error{.code = ErrorCode::limit,
                  .message = "there is no room for the colour bar beside a picture wider than " +
-                            std::to_string(kMaxPictureSide - kPanelWidth),
+                            std::to_string(kMaxPictureSide - kDifferencePanel),
                  .source = {}};
   }
   if (full_scale <= 0) {
@@ -111,7 +112,7 @@ Result<Image> difference_picture(const Image& reference, const Image& candidate,
 
   const Palette palette = palette_of(full_scale);
   Image out;
-  out.resize(reference.width + kPanelWidth, std::max(reference.height, kLeastHeight));
+  out.resize(reference.width + kDifferencePanel, std::max(reference.height, kLeastDifferenceHeight));
   std::fill(out.pixels.begin(), out.pixels.end(), kGround);
   const auto width = static_cast<std::size_t>(reference.width), stride = static_cast<std::size_t>(out.width);
   for (std::size_t y = 0; y < static_cast<std::size_t>(reference.height); ++y) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "blysk/metrics.h"
+#include "image/testing.h"
 
 namespace blysk {
 namespace {
@@ -14,11 +15,6 @@ Image plain(int width, int height, std::uint32_t color) {
   image.resize(width, height);
   std::fill(image.pixels.begin(), image.pixels.end(), color);
   return image;
-}
-
-std::uint32_t at(const Image& image, int x, int y) {
-  return image.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                      static_cast<std::size_t>(x)];
 }
 
 int lightness(std::uint32_t color) {

@@ -11,9 +11,9 @@ namespace {
 
 using namespace panel;
 
-constexpr int kPanelWidth = width_for(2), kSwatch = kDigitHeight + 6;
+constexpr int kFragmentPanel = width_for(2), kSwatch = kDigitHeight + 6;
 constexpr int kSwatches = static_cast<int>(std::size(kFragmentColors));
-constexpr int kLeastHeight = 2 * kMargin + kSwatches * kSwatch;
+constexpr int kLeastFragmentHeight = 2 * kMargin + kSwatches * kSwatch;
 
 // The largest on top, as on a scale.
 void draw_key(Image& image, int left) {
@@ -28,7 +28,7 @@ void draw_key(Image& image, int left) {
 
 }  // namespace
 
-int widest_fragment_picture() { return kMaxPictureSide - kPanelWidth; }
+int widest_fragment_picture() { return kMaxPictureSide - kFragmentPanel; }
 
 Result<Image> fragment_picture(std::span<const std::uint32_t> counts, int width) {
   if (width < 1 || counts.empty() || counts.size() % static_cast<std::size_t>(width) != 0) {
@@ -43,7 +43,7 @@ Result<Image> fragment_picture(std::span<const std::uint32_t> counts, int width)
                  0};
   }
   Image out;
-  out.resize(width + kPanelWidth, std::max(static_cast<int>(rows), kLeastHeight));
+  out.resize(width + kFragmentPanel, std::max(static_cast<int>(rows), kLeastFragmentHeight));
   std::fill(out.pixels.begin(), out.pixels.end(), kGround);
   for (std::size_t y = 0; y < rows; ++y) {
     const auto row = counts.subspan(y * static_cast<std::size_t>(width), static_cast<std::size_t>(width));

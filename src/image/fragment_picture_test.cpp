@@ -5,14 +5,10 @@
 #include <vector>
 
 #include "blysk/fragments.h"
+#include "image/testing.h"
 
 namespace blysk {
 namespace {
-
-std::uint32_t at(const Image& image, int x, int y) {
-  return image.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                      static_cast<std::size_t>(x)];
-}
 
 TEST(fragment_picture, colours_by_count_beside_a_key) {
   const std::vector<std::uint32_t> counts = {0, 1, 2, 3, 4, 5, 6, 4000000000u};

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read(const fs::path& path) {
+std::string bytes_in(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -66,17 +66,17 @@ void expect_failure(const Status& status, ErrorCode code, const std::string& pat
 
 TEST_F(WritePicture, ppm_bytes) {
   ASSERT_TRUE(write_picture(two_by_two(), in_folder("a.ppm"), PictureFormat::ppm));
-  EXPECT_EQ(read(in_folder("a.ppm")), std::string("P6\n2 2\n255\n\1\2\3\4\5\6\7\10\11\0\377\377", 23));
+  EXPECT_EQ(bytes_in(in_folder("a.ppm")), std::string("P6\n2 2\n255\n\1\2\3\4\5\6\7\10\11\0\377\377", 23));
 }
 
 TEST_F(WritePicture, pfm_is_little_endian_and_bottom_up) {
   FloatImage image{.width = 1, .height = 2, .channels = 1, .values = {}};
   image.values = {1.5f, -2.0f};
   ASSERT_TRUE(write_picture(image, in_folder("a.pfm"), PictureFormat::pfm));
-  EXPECT_EQ(read(in_folder("a.pfm")), std::string("Pf\n1 2\n-1.0\n\0\0\0\300\0\0\300\77", 20));
+  EXPECT_EQ(bytes_in(in_folder("a.pfm")), std::string("Pf\n1 2\n-1.0\n\0\0\0\300\0\0\300\77", 20));
 
   ASSERT_TRUE(write_picture(two_by_two(), in_folder("b.pfm"), PictureFormat::pfm));
-  const std::string bytes = read(in_folder("b.pfm"));
+  const std::string bytes = bytes_in(in_folder("b.pfm"));
   ASSERT_EQ(bytes.size(), 12 + 4 * 3 * sizeof(float));
   EXPECT_EQ(bytes.substr(0, 12), "PF\n2 2\n-1.0\n");
   float values[12];
@@ -88,26 +88,26 @@ TEST_F(WritePicture, pfm_is_little_endian_and_bottom_up) {
 
 TEST_F(WritePicture, depth_becomes_gray) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN(),
-                  kInfinity = std::numeric_limits<float>::infinity();
+                  kInfiniteDepth = std::numeric_limits<float>::infinity();
   FloatImage depth{.width = 7, .height = 1, .channels = 1, .values = {}};
-  depth.values = {0.25f, 0.75f, 0.5f, 1, kNan, kInfinity, -kInfinity};
+  depth.values = {0.25f, 0.75f, 0.5f, 1, kNan, kInfiniteDepth, -kInfiniteDepth};
   ASSERT_TRUE(write_picture(depth, in_folder("d.ppm"), PictureFormat::ppm));
   std::string expected = "P6\n7 1\n255\n";
   for (const char gray : {'\377', '\0', '\200', '\0', '\0', '\0', '\0'}) expected += std::string(3, gray);
-  EXPECT_EQ(read(in_folder("d.ppm")), expected);
+  EXPECT_EQ(bytes_in(in_folder("d.ppm")), expected);
 
   depth.values.assign(7, 0.5f);  // no range: all are nearest
   ASSERT_TRUE(write_picture(depth, in_folder("d.ppm"), PictureFormat::ppm));
-  EXPECT_EQ(read(in_folder("d.ppm")), "P6\n7 1\n255\n" + std::string(21, '\377'));
+  EXPECT_EQ(bytes_in(in_folder("d.ppm")), "P6\n7 1\n255\n" + std::string(21, '\377'));
 }
 
 TEST_F(WritePicture, normals_become_colors) {
   FloatImage normals{.width = 2, .height = 1, .channels = 3, .values = {}};
   normals.values = {-1, 0, 1, -2, 2, std::numeric_limits<float>::quiet_NaN()};
   ASSERT_TRUE(write_picture(normals, in_folder("n.ppm"), PictureFormat::ppm));
-  EXPECT_EQ(read(in_folder("n.ppm")), std::string("P6\n2 1\n255\n\0\200\377\0\377\0", 17));
+  EXPECT_EQ(bytes_in(in_folder("n.ppm")), std::string("P6\n2 1\n255\n\0\200\377\0\377\0", 17));
   ASSERT_TRUE(write_picture(normals, in_folder("n.png"), PictureFormat::png));
-  EXPECT_EQ(read(in_folder("n.png"))[25], 2) << "colour type without alpha";
+  EXPECT_EQ(bytes_in(in_folder("n.png"))[25], 2) << "colour type without alpha";
 }
 
 TEST_F(WritePicture, png_is_what_encode_png_gives) {
@@ -115,14 +115,14 @@ TEST_F(WritePicture, png_is_what_encode_png_gives) {
     const PictureOptions options{.compression = compression};
     ASSERT_TRUE(write_picture(two_by_two(), in_folder("a.png"), PictureFormat::png, options));
     const Array<std::uint8_t> bytes = encode_png(two_by_two(), options);
-    EXPECT_EQ(read(in_folder("a.png")), std::string(bytes.begin(), bytes.end()));
+    EXPECT_EQ(bytes_in(in_folder("a.png")), std::string(bytes.begin(), bytes.end()));
   }
 }
 
 TEST_F(WritePicture, replaces_and_leaves_nothing_else) {
   write(in_folder("a.ppm"), "old");
   ASSERT_TRUE(write_picture(two_by_two(), in_folder("a.ppm"), PictureFormat::ppm));
-  EXPECT_EQ(read(in_folder("a.ppm")).substr(0, 2), "P6");
+  EXPECT_EQ(bytes_in(in_folder("a.ppm")).substr(0, 2), "P6");
   EXPECT_EQ(files(), 1u);
 }
 
@@ -139,7 +139,7 @@ TEST_F(WritePicture, follows_a_symbolic_link) {
   fs::create_symlink("real.ppm", in_folder("link.ppm"));
   ASSERT_TRUE(write_picture(two_by_two(), in_folder("link.ppm"), PictureFormat::ppm));
   EXPECT_TRUE(fs::is_symlink(in_folder("link.ppm")));
-  EXPECT_EQ(read(in_folder("real.ppm")).substr(0, 2), "P6");
+  EXPECT_EQ(bytes_in(in_folder("real.ppm")).substr(0, 2), "P6");
 }
 
 TEST_F(WritePicture, bad_places_are_told) {
@@ -179,7 +179,7 @@ TEST_F(WritePicture, failure_keeps_the_old_file) {
   setrlimit(RLIMIT_FSIZE, &limit);
   std::signal(SIGXFSZ, old_handler);
   expect_failure(status, ErrorCode::output, in_folder("a.ppm"), "too large");
-  EXPECT_EQ(read(in_folder("a.ppm")), "old");
+  EXPECT_EQ(bytes_in(in_folder("a.ppm")), "old");
   EXPECT_EQ(files(), 1u);
 }
 
@@ -211,7 +211,7 @@ TEST_F(WritePicture, missing_permissions_are_told) {
   }
   expect_failure(over_file, ErrorCode::output, "read-only.png", "no permission");
   expect_failure(into_folder, ErrorCode::output, "closed/a.png", "no permission");
-  EXPECT_EQ(read(in_folder("read-only.png")), "old");
+  EXPECT_EQ(bytes_in(in_folder("read-only.png")), "old");
   EXPECT_EQ(files(), 2u);
 }
 
@@ -219,7 +219,7 @@ TEST_F(WritePicture, pipes_are_written_directly) {
   const std::string path = in_folder("pipe");
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
   std::string got;
-  std::thread reader([&] { got = read(path); });
+  std::thread reader([&] { got = bytes_in(path); });
   const Status status = write_picture(two_by_two(), path, PictureFormat::ppm);
   reader.join();
   ASSERT_TRUE(status);

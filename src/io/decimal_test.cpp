@@ -13,16 +13,16 @@
 namespace blysk::io {
 namespace {
 
-struct Reading {
+struct Decimal {
   bool ok = false;
   float value = 0;
   std::size_t length = 0;
 };
 
-Reading read(const std::string& text) {
+Decimal decimal(const std::string& text) {
   const std::string padded = text + "\n" + std::string(kTextPadding, '7');
   const char* at = padded.c_str();
-  Reading r;
+  Decimal r;
   r.ok = read_float(at, r.value);
   r.length = static_cast<std::size_t>(at - padded.c_str());
   return r;
@@ -32,7 +32,7 @@ void expect_like_from_chars(const std::string& text) {
   float expected = 0;
   const auto got = std::from_chars(text.data(), text.data() + text.size(), expected);
   if (got.ec != std::errc()) return;
-  const Reading r = read(text);
+  const Decimal r = decimal(text);
   ASSERT_TRUE(r.ok) << text;
   ASSERT_EQ(std::bit_cast<std::uint32_t>(r.value), std::bit_cast<std::uint32_t>(expected)) << text;
   ASSERT_EQ(r.length, text.size()) << text;
@@ -120,46 +120,46 @@ TEST(decimal, edges_of_the_range) {
                            "1e+05",
                            "8e-001"}) {
     if (std::string(text).find('+') == std::string::npos) expect_like_from_chars(text);
-    EXPECT_TRUE(read(text).ok) << text;
+    EXPECT_TRUE(decimal(text).ok) << text;
   }
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(read("1e40").value, kInfinity);
-  EXPECT_EQ(read("-1e400").value, -kInfinity);
-  EXPECT_EQ(read("1e99999999999999999999").value, kInfinity);
-  EXPECT_EQ(read(std::string(400, '9')).value, kInfinity);
-  EXPECT_EQ(read("1e-60").value, 0);
-  EXPECT_EQ(read("1e-99999999999999999999").value, 0);
-  EXPECT_EQ(read("0." + std::string(400, '0') + "1").value, 0);
-  EXPECT_EQ(read("0." + std::string(400, '0') + "1e400").value, 0.1f);
-  EXPECT_TRUE(std::signbit(read("-0.0").value));
+  EXPECT_EQ(decimal("1e40").value, kInfinity);
+  EXPECT_EQ(decimal("-1e400").value, -kInfinity);
+  EXPECT_EQ(decimal("1e99999999999999999999").value, kInfinity);
+  EXPECT_EQ(decimal(std::string(400, '9')).value, kInfinity);
+  EXPECT_EQ(decimal("1e-60").value, 0);
+  EXPECT_EQ(decimal("1e-99999999999999999999").value, 0);
+  EXPECT_EQ(decimal("0." + std::string(400, '0') + "1").value, 0);
+  EXPECT_EQ(decimal("0." + std::string(400, '0') + "1e400").value, 0.1f);
+  EXPECT_TRUE(std::signbit(decimal("-0.0").value));
 }
 
 TEST(decimal, words_for_numbers_that_are_none) {
-  EXPECT_TRUE(std::isnan(read("nan").value));
-  EXPECT_TRUE(std::isnan(read("-NaN").value));
-  EXPECT_TRUE(std::isnan(read("1.#IND").value));
-  EXPECT_TRUE(std::isnan(read("-1.#QNAN").value));
-  EXPECT_EQ(read("inf").value, std::numeric_limits<float>::infinity());
-  EXPECT_EQ(read("-Infinity").value, -std::numeric_limits<float>::infinity());
-  EXPECT_EQ(read("-1.#INF").value, -std::numeric_limits<float>::infinity());
-  EXPECT_EQ(read("-1.#INF00").length, 9u);
+  EXPECT_TRUE(std::isnan(decimal("nan").value));
+  EXPECT_TRUE(std::isnan(decimal("-NaN").value));
+  EXPECT_TRUE(std::isnan(decimal("1.#IND").value));
+  EXPECT_TRUE(std::isnan(decimal("-1.#QNAN").value));
+  EXPECT_EQ(decimal("inf").value, std::numeric_limits<float>::infinity());
+  EXPECT_EQ(decimal("-Infinity").value, -std::numeric_limits<float>::infinity());
+  EXPECT_EQ(decimal("-1.#INF").value, -std::numeric_limits<float>::infinity());
+  EXPECT_EQ(decimal("-1.#INF00").length, 9u);
 }
 
 TEST(decimal, a_plus_sign_is_read) {
-  EXPECT_EQ(read("+1.5").value, 1.5f);
-  EXPECT_EQ(read("+1.5").length, 4u);
+  EXPECT_EQ(decimal("+1.5").value, 1.5f);
+  EXPECT_EQ(decimal("+1.5").length, 4u);
 }
 
 TEST(decimal, what_is_no_number) {
   for (const char* text : {"", " ", "-", "+", "+-1", "-+1", "--1", ".", "-.", "e5", ".e5", "x", "/1", "#"}) {
-    const Reading r = read(text);
+    const Decimal r = decimal(text);
     EXPECT_FALSE(r.ok) << text;
     EXPECT_EQ(r.length, 0u) << text;
   }
-  EXPECT_EQ(read("1,5").length, 1u);
-  EXPECT_EQ(read("1e").length, 1u);
-  EXPECT_EQ(read("1.5.5").length, 3u);
-  EXPECT_EQ(read("1.5e+").length, 3u);
+  EXPECT_EQ(decimal("1,5").length, 1u);
+  EXPECT_EQ(decimal("1e").length, 1u);
+  EXPECT_EQ(decimal("1.5.5").length, 3u);
+  EXPECT_EQ(decimal("1.5e+").length, 3u);
 }
 
 }  // namespace

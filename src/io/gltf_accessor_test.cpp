@@ -4,11 +4,8 @@
 
 #include "io/gltf_testing.h"
 
+namespace blysk::io::gltf_testing {
 namespace {
-
-using namespace blysk;
-using namespace blysk::io;
-using namespace blysk::io::gltf_testing;
 
 // Vertices as the reader gives them for a primitive of three vertices with that POSITION accessor.
 Array<Vec3f> positions_of(Document d, int accessor) {
@@ -183,3 +180,5 @@ TEST(gltf_accessor, views_outside_their_buffer) {
   EXPECT_NE(error(R"({"byteLength":1})").find("lacks \"buffer\""), std::string::npos);
   EXPECT_NE(error("3").find("bufferViews[0]: lacks"), std::string::npos);
 }
+
+}  // namespace blysk::io::gltf_testing

@@ -5,11 +5,8 @@
 #include "io/gltf_testing.h"
 #include "math/trig.h"
 
+namespace blysk::io::gltf_testing {
 namespace {
-
-using namespace blysk;
-using namespace blysk::io;
-using namespace blysk::io::gltf_testing;
 
 // A triangle and further nodes.
 Result<Scene> scene_with(const std::string& nodes, const std::string& more) {
@@ -25,12 +22,6 @@ std::string lights(const std::string& list) {
 
 std::string light_node(int index, const std::string& more = "") {
   return R"({"extensions":{"KHR_lights_punctual":{"light":)" + std::to_string(index) + "}}" + more + "}";
-}
-
-void expect_near(Vec3d a, Vec3d b) {
-  EXPECT_NEAR(a.x, b.x, 1e-12);
-  EXPECT_NEAR(a.y, b.y, 1e-12);
-  EXPECT_NEAR(a.z, b.z, 1e-12);
 }
 
 // A quarter turn about y: what looks along -z then looks along -x.
@@ -122,3 +113,5 @@ TEST(gltf_lights, spots_and_unknown_types) {
   ASSERT_FALSE(unknown);
   EXPECT_NE(unknown.error().message.find("\"tube\" is none of"), std::string::npos);
 }
+
+}  // namespace blysk::io::gltf_testing

@@ -4,11 +4,8 @@
 
 #include "io/gltf_testing.h"
 
+namespace blysk::io::gltf_testing {
 namespace {
-
-using namespace blysk;
-using namespace blysk::io;
-using namespace blysk::io::gltf_testing;
 
 std::string with_material(const std::string& members, const std::string& more = "") {
   return triangle_model(R"(,"material":0)", R"(,"materials":[{)" + members + "}]" + more).gltf();
@@ -150,3 +147,5 @@ TEST(gltf_materials, wrong_members) {
     EXPECT_NE(error.find(c.error), std::string::npos) << c.members << "\n" << error;
   }
 }
+
+}  // namespace blysk::io::gltf_testing

@@ -6,11 +6,8 @@
 
 #include "io/gltf_testing.h"
 
+namespace blysk::io::gltf_testing {
 namespace {
-
-using namespace blysk;
-using namespace blysk::io;
-using namespace blysk::io::gltf_testing;
 
 // Six points of a zigzag, so that neighbouring triples make triangles.
 Document zigzag() {
@@ -247,3 +244,5 @@ TEST(gltf_meshes, repetition_is_bounded_by_the_size_of_the_file) {
   d.more = R"(,"meshes":[{"primitives":[)" + primitives + R"(]}],"nodes":[)" + nodes + "]";
   EXPECT_NE(error_of(d.gltf()).find("unpacks to more than 256 times its size"), std::string::npos);
 }
+
+}  // namespace blysk::io::gltf_testing

@@ -4,11 +4,8 @@
 
 #include "io/gltf_testing.h"
 
+namespace blysk::io::gltf_testing {
 namespace {
-
-using namespace blysk;
-using namespace blysk::io;
-using namespace blysk::io::gltf_testing;
 
 // A triangle as mesh 0 with these nodes and further members.
 std::string with_nodes(const std::string& nodes, const std::string& more = "") {
@@ -31,12 +28,6 @@ Mat4 transform_of(const std::string& node) {
   const auto scene = read(with_nodes(R"({"mesh":0,)" + node + "}"));
   EXPECT_TRUE(scene) << scene.error().text();
   return scene ? scene->instances[0].transform : Mat4{};
-}
-
-void expect_near(Vec3d a, Vec3d b) {
-  EXPECT_NEAR(a.x, b.x, 1e-12);
-  EXPECT_NEAR(a.y, b.y, 1e-12);
-  EXPECT_NEAR(a.z, b.z, 1e-12);
 }
 
 const std::string kThree = R"({"mesh":0,"name":"a"},{"mesh":0,"name":"b"},{"mesh":0,"name":"c"})";
@@ -150,3 +141,5 @@ TEST(gltf_nodes, wrong_members) {
   EXPECT_NE(error_of(with_nodes(kThree, R"(,"scenes":[{}],"scene":1)")).find("scene: scene 1 does not exist"),
             std::string::npos);
 }
+
+}  // namespace blysk::io::gltf_testing

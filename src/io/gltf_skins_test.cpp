@@ -4,11 +4,8 @@
 
 #include "io/gltf_testing.h"
 
+namespace blysk::io::gltf_testing {
 namespace {
-
-using namespace blysk;
-using namespace blysk::io;
-using namespace blysk::io::gltf_testing;
 
 // A skinned triangle under a node that does not count; node 1 is the joint, bound with an offset of -5 in x.
 std::string skinned(const std::string& skin, const std::string& scene = "[0,1]") {
@@ -51,3 +48,5 @@ TEST(gltf_skins, wrong_members) {
   EXPECT_NE(error_of(skinned("")).find("nodes[0].skin: skin 0 does not exist; the file has 0"),
             std::string::npos);
 }
+
+}  // namespace blysk::io::gltf_testing

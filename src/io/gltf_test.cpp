@@ -8,11 +8,8 @@
 
 #include "io/gltf_testing.h"
 
+namespace blysk::io::gltf_testing {
 namespace {
-
-using namespace blysk;
-using namespace blysk::io;
-using namespace blysk::io::gltf_testing;
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -332,3 +329,5 @@ TEST(gltf_models, broken_ones_say_what_is_wrong) {
     EXPECT_TRUE(contains(scene.error().text(), name + ": " + message)) << scene.error().text();
   }
 }
+
+}  // namespace blysk::io::gltf_testing

@@ -1,6 +1,8 @@
 // io/gltf_testing.h - for tests: small glTF files written down by what matters.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
@@ -120,6 +122,12 @@ inline Result<Scene> read(std::string_view file, const Limits& limits = {}) {
 inline std::string error_of(std::string_view file) {
   const Result<Scene> scene = read(file);
   return scene ? "read" : scene.error().text();
+}
+
+inline void expect_near(Vec3d a, Vec3d b) {
+  EXPECT_NEAR(a.x, b.x, 1e-12);
+  EXPECT_NEAR(a.y, b.y, 1e-12);
+  EXPECT_NEAR(a.z, b.z, 1e-12);
 }
 
 /// A triangle in the plane z = 0 as accessors 0 (positions) and 1 (indices).

@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
+namespace blysk::io {
 namespace {
 
-using blysk::io::Json;
-using blysk::io::JsonDocument;
 using Kind = Json::Kind;
 
 std::string error_of(std::string_view text) {
@@ -82,3 +81,5 @@ TEST(json, errors_say_where) {
     EXPECT_EQ(error.find('\n'), std::string::npos) << text;
   }
 }
+
+}  // namespace blysk::io

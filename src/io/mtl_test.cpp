@@ -10,19 +10,19 @@
 namespace blysk::io {
 namespace {
 
-struct Reading {
+struct ReadLibrary {
   MtlLibrary library;
   std::vector<std::string> problems;
 };
 
-Reading read(std::string_view text) {
-  Reading r;
+ReadLibrary read_library(std::string_view text) {
+  ReadLibrary r;
   r.library.read(text, "m.mtl", r.problems);
   return r;
 }
 
 MtlMaterial material(std::string_view statements) {
-  const Reading r = read("newmtl m\n" + std::string(statements));
+  const ReadLibrary r = read_library("newmtl m\n" + std::string(statements));
   const MtlMaterial* m = r.library.find("m");
   EXPECT_NE(m, nullptr);
   return m == nullptr ? MtlMaterial{} : *m;
@@ -92,8 +92,8 @@ TEST(mtl, a_normal_map_goes_before_a_bump_map) {
 }
 
 TEST(mtl, names_blanks_and_line_ends) {
-  const Reading r =
-      read("\xef\xbb\xbf# x\r\nKd 0 0 0\r\n \tnewmtl  a b \r\n  Kd 1 0 0\r\nNEWMTL c\rkd 0 1 0");
+  const ReadLibrary r =
+      read_library("\xef\xbb\xbf# x\r\nKd 0 0 0\r\n \tnewmtl  a b \r\n  Kd 1 0 0\r\nNEWMTL c\rkd 0 1 0");
   ASSERT_NE(r.library.find("a b"), nullptr);
   EXPECT_EQ(r.library.find("a b")->material.color, (Vec3f{1, 0, 0}));
   ASSERT_NE(r.library.find("c"), nullptr);
@@ -103,21 +103,22 @@ TEST(mtl, names_blanks_and_line_ends) {
 }
 
 TEST(mtl, the_first_of_a_name_counts) {
-  Reading r = read("newmtl a\nKd 1 0 0\nd .5\nnewmtl a\nKd 0 1 0\nnewmtl b\n");
+  ReadLibrary r = read_library("newmtl a\nKd 1 0 0\nd .5\nnewmtl a\nKd 0 1 0\nnewmtl b\n");
   r.library.read("newmtl a\nKd 0 0 1\n", "n.mtl", r.problems);
   EXPECT_EQ(r.library.find("a")->material.color, (Vec3f{1, 0, 0}));
   EXPECT_EQ(r.library.find("b")->material.opacity, 1);
 }
 
 TEST(mtl, what_is_left_out_is_told) {
-  const Reading r = read("newmtl a\nmap_Ks x\nNi 1\nrefl x\nKd\nKd spectral x\nKs x 0 0\nmap_Ks y\n");
+  const ReadLibrary r =
+      read_library("newmtl a\nmap_Ks x\nNi 1\nrefl x\nKd\nKd spectral x\nKs x 0 0\nmap_Ks y\n");
   ASSERT_EQ(r.problems.size(), 2u);
   EXPECT_EQ(r.problems[0],
             "'m.mtl': left out 3 statements without the numbers they need, the first in line 5");
   EXPECT_EQ(r.problems[1], "'m.mtl': left out 'map_ks', 'refl', which no material here has");
   std::string text = "newmtl a\n";
   for (int i = 0; i < 1000; ++i) text += std::string("x").append(std::to_string(i)) + "\n";
-  EXPECT_LT(read(text).problems[0].size(), 150u);
+  EXPECT_LT(read_library(text).problems[0].size(), 150u);
 }
 
 TEST(mtl, library_names) {
@@ -140,7 +141,7 @@ TEST(mtl, every_prefix) {
       "1";
   for (std::size_t size = 0; size <= text.size(); ++size) {
     const std::vector<char> prefix(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(size));
-    EXPECT_LE(read({prefix.data(), prefix.size()}).problems.size(), 2u);
+    EXPECT_LE(read_library({prefix.data(), prefix.size()}).problems.size(), 2u);
   }
 }
 

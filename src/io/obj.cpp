@@ -14,7 +14,7 @@
 namespace blysk::io {
 namespace {
 
-constexpr std::size_t kMostNamed = 8;  // materials that one sentence lists
+constexpr std::size_t kMostMaterialsNamed = 8;  // materials that one sentence lists
 
 std::string count_of(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
@@ -61,7 +61,7 @@ class MaterialList {
     if (known != nullptr) {
       material.color_texture = texture(known->color_map);
       material.normal_texture = texture(known->normal_map);
-    } else if (!name.empty() && missing_++ < kMostNamed) {
+    } else if (!name.empty() && missing_++ < kMostMaterialsNamed) {
       missing_names_ += (missing_names_.empty() ? "" : ", ") + in_quotes(name);
     }
     scene_.materials.push_back(std::move(material));
@@ -69,7 +69,8 @@ class MaterialList {
 
   void report() {
     if (missing_ == 0) return;
-    if (missing_ > kMostNamed) missing_names_ += " and " + std::to_string(missing_ - kMostNamed) + " more";
+    if (missing_ > kMostMaterialsNamed)
+      missing_names_ += " and " + std::to_string(missing_ - kMostMaterialsNamed) + " more";
     scene_.problems.push_back("no material file defines " + missing_names_ + ", so the default stands in");
   }
 

@@ -15,8 +15,6 @@
 namespace blysk::io {
 namespace {
 
-constexpr std::uint32_t kNone = ObjFile::kNone;
-
 enum class Statement { nothing, position, texcoord, normal, face, other };
 
 // Of a line whose first byte that is not blank is at `at`.
@@ -231,7 +229,7 @@ class PieceParser {
   // v, v/t, v//n, v/t/n; what stands behind a slash may be missing.
   bool corner(const char*& at) {
     const char* const start = at;
-    std::uint32_t v = 0, t = kNone, n = kNone;
+    std::uint32_t v = 0, t = ObjFile::kNone, n = ObjFile::kNone;
     if (!index(at, positions_, v)) return bad_corner(start);
     if (*at == '/') {
       ++at;
@@ -249,8 +247,9 @@ class PieceParser {
   }
 
   void attribute(Array<std::uint32_t>& list, std::uint32_t value) {
-    if (value != kNone && list.empty()) list.assign(result_.corner_positions.size() - 1, kNone);
-    if (value != kNone || !list.empty()) list.push_back(value);
+    if (value != ObjFile::kNone && list.empty())
+      list.assign(result_.corner_positions.size() - 1, ObjFile::kNone);
+    if (value != ObjFile::kNone || !list.empty()) list.push_back(value);
   }
 
   // False: not an index, or one that is out of range, which reference_ then tells.
@@ -374,7 +373,7 @@ void place(Array<T>& to, const Array<T>& from, std::size_t begin, std::size_t co
 
 // A list may be there for a face that was left out later.
 bool has_any(const Array<std::uint32_t>& list) {
-  return std::any_of(list.begin(), list.end(), [](std::uint32_t i) { return i != kNone; });
+  return std::any_of(list.begin(), list.end(), [](std::uint32_t i) { return i != ObjFile::kNone; });
 }
 
 // Puts the pieces' lists one after the other.
@@ -408,9 +407,9 @@ void join(ObjFile& file, std::vector<PieceResult>& parts, std::span<const Counts
     const std::size_t corner = places[i].corner, corners = p.corner_positions.size();
     place(file.colors, p.colors, places[i].position, own[i].positions, {1, 1, 1, 1});
     place(file.face_sizes, p.face_sizes, places[i].face, p.faces, 3u);
-    place(file.corner_positions, p.corner_positions, corner, corners, kNone);
-    place(file.corner_texcoords, p.corner_texcoords, corner, corners, kNone);
-    place(file.corner_normals, p.corner_normals, corner, corners, kNone);
+    place(file.corner_positions, p.corner_positions, corner, corners, ObjFile::kNone);
+    place(file.corner_texcoords, p.corner_texcoords, corner, corners, ObjFile::kNone);
+    place(file.corner_normals, p.corner_normals, corner, corners, ObjFile::kNone);
     p = {};
   });
 }
@@ -434,7 +433,7 @@ Result<ObjFile> parse_obj(const Source& source, ObjText& text) {
     text.join_continued_lines();
     own = count_pieces(text, pool, total);
   }
-  if (std::max({total.positions, total.texcoords, total.normals}) >= kNone) {
+  if (std::max({total.positions, total.texcoords, total.normals}) >= ObjFile::kNone) {
     return Error{ErrorCode::limit, "has more than 4294967294 vertices", source.name, 0};
   }
   const std::uint64_t bytes = total.positions * sizeof(Vec3f) + total.texcoords * sizeof(Vec2f) +

@@ -13,10 +13,10 @@
 namespace blysk::io {
 namespace {
 
-const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string kTriangleText = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string kSquareText = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-Result<Scene> read(std::string_view text, int threads = 1, const std::filesystem::path& folder = {}) {
+Result<Scene> read_text(std::string_view text, int threads = 1, const std::filesystem::path& folder = {}) {
   Source source;
   source.bytes = std::as_bytes(std::span(text));
   source.name = "model.obj";
@@ -26,7 +26,7 @@ Result<Scene> read(std::string_view text, int threads = 1, const std::filesystem
 }
 
 Scene scene_of(std::string_view text) {
-  Result<Scene> scene = read(text);
+  Result<Scene> scene = read_text(text);
   EXPECT_TRUE(scene) << scene.error().text();
   return scene ? std::move(*scene) : Scene{};
 }
@@ -38,7 +38,7 @@ Mesh mesh_of(std::string_view text) {
 }
 
 void expect_error(std::string_view text, std::string_view message) {
-  const Result<Scene> scene = read(text);
+  const Result<Scene> scene = read_text(text);
   ASSERT_FALSE(scene) << text;
   EXPECT_EQ(scene.error().code, ErrorCode::input);
   EXPECT_EQ(scene.error().text(), message);
@@ -69,7 +69,7 @@ void expect_same(const Scene& a, const Scene& b) {
 }
 
 TEST(obj, a_triangle) {
-  const Scene scene = scene_of(kTriangle + "f 1 2 3\n");
+  const Scene scene = scene_of(kTriangleText + "f 1 2 3\n");
   ASSERT_EQ(scene.meshes.size(), 1u);
   const Mesh& mesh = scene.meshes[0];
   ASSERT_EQ(mesh.positions.size(), 3u);
@@ -82,7 +82,7 @@ TEST(obj, a_triangle) {
 }
 
 TEST(obj, white_space_line_ends_comments_and_case) {
-  const Mesh expected = mesh_of(kTriangle + "f 1 2 3\n");
+  const Mesh expected = mesh_of(kTriangleText + "f 1 2 3\n");
   for (const char* text : {
            "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n",
            "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r",
@@ -101,7 +101,7 @@ TEST(obj, white_space_line_ends_comments_and_case) {
 }
 
 TEST(obj, the_forms_of_a_corner) {
-  const std::string lists = kTriangle + "vt .5 .25\nvt 1 0\nvn 0 0 2\n";
+  const std::string lists = kTriangleText + "vt .5 .25\nvt 1 0\nvn 0 0 2\n";
   const Mesh both = mesh_of(lists + "f 1/1/1 2/2/1 3/1/1\n");
   EXPECT_EQ(both.texcoords, (Array<Vec2f>{{.5f, .25f}, {1, 0}, {.5f, .25f}}));
   EXPECT_EQ(both.normals, (Array<Vec3f>{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}));
@@ -117,20 +117,20 @@ TEST(obj, the_forms_of_a_corner) {
 }
 
 TEST(obj, vertices_are_the_distinct_corners) {
-  const Mesh mesh = mesh_of(kSquare + "vt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/1 3/1 4/1\nf 1/2 3/1 4/1\n");
+  const Mesh mesh = mesh_of(kSquareText + "vt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/1 3/1 4/1\nf 1/2 3/1 4/1\n");
   EXPECT_EQ(mesh.positions.size(), 5u);
   EXPECT_EQ(mesh.indices, (Array<std::uint32_t>{0, 1, 2, 0, 2, 3, 4, 2, 3}));
 }
 
 // Lists that run along with the positions are taken as they are: no vertex is split or reordered.
 TEST(obj, parallel_lists_keep_their_order) {
-  const Mesh mesh = mesh_of("vt 0 1\nvt 0 2\nvt 0 3\n" + kTriangle + "f 3/3 2/2 1/1\n");
+  const Mesh mesh = mesh_of("vt 0 1\nvt 0 2\nvt 0 3\n" + kTriangleText + "f 3/3 2/2 1/1\n");
   EXPECT_EQ(mesh.indices, (Array<std::uint32_t>{2, 1, 0}));
   EXPECT_EQ(mesh.texcoords, (Array<Vec2f>{{0, 1}, {0, 2}, {0, 3}}));
 }
 
 TEST(obj, mixed_corners_get_what_they_lack) {
-  const Mesh mesh = mesh_of(kSquare + "vt 5 6\nvn 1 0 0\nf 1/1/1 2/1/1 3/1/1\nf 1 3 4\n");
+  const Mesh mesh = mesh_of(kSquareText + "vt 5 6\nvn 1 0 0\nf 1/1/1 2/1/1 3/1/1\nf 1 3 4\n");
   ASSERT_EQ(mesh.texcoords.size(), 6u);
   EXPECT_EQ(mesh.texcoords[0], (Vec2f{5, 6}));
   EXPECT_EQ(mesh.texcoords[5], (Vec2f{0, 0}));
@@ -139,7 +139,7 @@ TEST(obj, mixed_corners_get_what_they_lack) {
 }
 
 TEST(obj, normals_become_unit_or_are_made) {
-  const Mesh mesh = mesh_of(kTriangle + "vn 0 3 4\nvn 0 0 0\nvn nan 0 1\nf 1//1 2//2 3//3\n");
+  const Mesh mesh = mesh_of(kTriangleText + "vn 0 3 4\nvn 0 0 0\nvn nan 0 1\nf 1//1 2//2 3//3\n");
   ASSERT_EQ(mesh.normals.size(), 3u);
   EXPECT_FLOAT_EQ(mesh.normals[0].y, 0.6f);
   EXPECT_FLOAT_EQ(mesh.normals[0].z, 0.8f);
@@ -148,16 +148,16 @@ TEST(obj, normals_become_unit_or_are_made) {
 }
 
 TEST(obj, faces_may_stand_before_their_vertices) {
-  EXPECT_EQ(mesh_of("f 1 2 3\n" + kTriangle).triangles(), 1u);
+  EXPECT_EQ(mesh_of("f 1 2 3\n" + kTriangleText).triangles(), 1u);
 }
 
 TEST(obj, negative_indices_count_from_the_face) {
-  const Mesh mesh = mesh_of(kTriangle + "f -3 -2 -1\nv 5 5 5\nf -4 -3 -1\n");
+  const Mesh mesh = mesh_of(kTriangleText + "f -3 -2 -1\nv 5 5 5\nf -4 -3 -1\n");
   EXPECT_EQ(mesh.indices, (Array<std::uint32_t>{0, 1, 2, 0, 1, 3}));
 }
 
 TEST(obj, polygons_become_triangles) {
-  EXPECT_EQ(mesh_of(kSquare + "f 1 2 3 4\n").indices, (Array<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(mesh_of(kSquareText + "f 1 2 3 4\n").indices, (Array<std::uint32_t>{0, 1, 2, 0, 2, 3}));
   // A dart: the fan from its first corner would leave it.
   const Mesh dart = mesh_of("v 0 0 0\nv 1 4 0\nv 0 1 0\nv -1 4 0\nv 9 9 9\nv 9 9 8\nf 2 3 4 1\nf 1 5 6\n");
   EXPECT_EQ(dart.triangles(), 3u);
@@ -169,7 +169,7 @@ TEST(obj, polygons_become_triangles) {
   }
   EXPECT_DOUBLE_EQ(area, 1);
   // The same through the table of vertices.
-  EXPECT_EQ(mesh_of("vt 0 0\n" + kSquare + "f 1/1 2/1 3/1 4/1\nf 1/1 2/1 3/1\n").indices,
+  EXPECT_EQ(mesh_of("vt 0 0\n" + kSquareText + "f 1/1 2/1 3/1 4/1\nf 1/1 2/1 3/1\n").indices,
             (Array<std::uint32_t>{0, 1, 2, 0, 2, 3, 0, 1, 2}));
 }
 
@@ -185,7 +185,7 @@ TEST(obj, weights_are_ignored_and_colours_decoded) {
 
 TEST(obj, triangles_that_are_not_finite_are_left_out) {
   const Scene scene =
-      scene_of(kTriangle + "v nan -nan 1.#IND\nv inf -1.#INF 1e999\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");
+      scene_of(kTriangleText + "v nan -nan 1.#IND\nv inf -1.#INF 1e999\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");
   EXPECT_EQ(scene.triangles(), 1u);
   EXPECT_EQ(scene.meshes[0].positions.size(), 3u);
   EXPECT_EQ(scene.problems.size(), 1u);
@@ -193,7 +193,7 @@ TEST(obj, triangles_that_are_not_finite_are_left_out) {
 
 TEST(obj, one_mesh_for_each_material) {
   const Scene scene = scene_of(
-      kSquare + "usemtl red\no one\nf 1 2 3\nusemtl blue paint \nf 2 3 4\ng x\nusemtl red\nf 1 3 4\n");
+      kSquareText + "usemtl red\no one\nf 1 2 3\nusemtl blue paint \nf 2 3 4\ng x\nusemtl red\nf 1 3 4\n");
   ASSERT_EQ(scene.meshes.size(), 2u);
   EXPECT_EQ(scene.meshes[0].triangles(), 2u);
   EXPECT_EQ(scene.meshes[0].positions.size(), 4u);
@@ -207,9 +207,9 @@ TEST(obj, one_mesh_for_each_material) {
 }
 
 TEST(obj, names_of_objects_where_there_is_one) {
-  EXPECT_EQ(scene_of("o a b\n" + kTriangle + "f 1 2 3\n").instances[0].name, "a b");
-  EXPECT_EQ(scene_of("o a\n" + kTriangle + "o b\nf 1 2 3\n").instances[0].name, "");
-  EXPECT_EQ(scene_of("o a\x1b[2J\n" + kTriangle + "f 1 2 3\n").instances[0].name, "a?[2J");
+  EXPECT_EQ(scene_of("o a b\n" + kTriangleText + "f 1 2 3\n").instances[0].name, "a b");
+  EXPECT_EQ(scene_of("o a\n" + kTriangleText + "o b\nf 1 2 3\n").instances[0].name, "");
+  EXPECT_EQ(scene_of("o a\x1b[2J\n" + kTriangleText + "f 1 2 3\n").instances[0].name, "a?[2J");
 }
 
 // Two squares that meet at a right angle along vertices 2 and 3.
@@ -268,13 +268,14 @@ TEST(obj, creases_are_found_across_materials) {
 }
 
 TEST(obj, normals_of_the_file_go_before_groups) {
-  const Mesh mesh = mesh_of(kTriangle + "vn 1 0 0\ns 1\nf 1//1 2//1 3//1\n");
+  const Mesh mesh = mesh_of(kTriangleText + "vn 1 0 0\ns 1\nf 1//1 2//1 3//1\n");
   EXPECT_EQ(mesh.normals[0], (Vec3f{1, 0, 0}));
-  EXPECT_TRUE(mesh_of(kTriangle + "s off\nf 1 2 3\n").normals.empty());
+  EXPECT_TRUE(mesh_of(kTriangleText + "s off\nf 1 2 3\n").normals.empty());
 }
 
 TEST(obj, what_is_left_out_is_told) {
-  const Scene scene = scene_of(kTriangle + "p 1\nl 1 2\nl 2 3\nvp 1 2\nf 1 2\ncurv 1\nf\nf 1 2 3\nvw 1 1\n");
+  const Scene scene =
+      scene_of(kTriangleText + "p 1\nl 1 2\nl 2 3\nvp 1 2\nf 1 2\ncurv 1\nf\nf 1 2 3\nvw 1 1\n");
   EXPECT_EQ(scene.triangles(), 1u);
   EXPECT_EQ(problems_of(scene),
             "left out 2 faces of fewer than 3 corners, the first in line 8\n"
@@ -284,7 +285,7 @@ TEST(obj, what_is_left_out_is_told) {
 }
 
 TEST(obj, attributes_that_the_file_does_not_have_at_all) {
-  const Scene scene = scene_of(kTriangle + "f 1/1/1 2/2/-2 3/99/0\n");
+  const Scene scene = scene_of(kTriangleText + "f 1/1/1 2/2/-2 3/99/0\n");
   EXPECT_EQ(scene.triangles(), 1u);
   EXPECT_TRUE(scene.meshes[0].normals.empty() && scene.meshes[0].texcoords.empty());
   EXPECT_EQ(problems_of(scene),
@@ -293,27 +294,29 @@ TEST(obj, attributes_that_the_file_does_not_have_at_all) {
 }
 
 TEST(obj, wrong_indices) {
-  expect_error(kTriangle + "\nf 1 2 4\n", "model.obj:5: a face uses vertex 4, but the file has only 3");
-  expect_error(kTriangle + "f 1 2 -4\n", "model.obj:4: a face uses vertex -4, but only 3 stand before it");
-  expect_error("f -1 -1 -1\n" + kTriangle, "model.obj:1: a face uses vertex -1, but only 0 stand before it");
-  expect_error(kTriangle + "f 0 1 2\n", "model.obj:4: a face uses vertex 0, but they count from 1 to 3");
-  expect_error(kTriangle + "f 1 2 99999999999999999999\n",
+  expect_error(kTriangleText + "\nf 1 2 4\n", "model.obj:5: a face uses vertex 4, but the file has only 3");
+  expect_error(kTriangleText + "f 1 2 -4\n",
+               "model.obj:4: a face uses vertex -4, but only 3 stand before it");
+  expect_error("f -1 -1 -1\n" + kTriangleText,
+               "model.obj:1: a face uses vertex -1, but only 0 stand before it");
+  expect_error(kTriangleText + "f 0 1 2\n", "model.obj:4: a face uses vertex 0, but they count from 1 to 3");
+  expect_error(kTriangleText + "f 1 2 99999999999999999999\n",
                "model.obj:4: a face uses vertex 1099511627776, but the file has only 3");
   expect_error("f 1 2 3\n", "model.obj:1: a face uses vertex 1, but the file has none");
-  expect_error("vt 0 0\n" + kTriangle + "f 1/1 2/2 3/1\n",
+  expect_error("vt 0 0\n" + kTriangleText + "f 1/1 2/2 3/1\n",
                "model.obj:5: a face uses texture coordinate 2, but the file has only 1");
-  expect_error("vn 0 0 1\n" + kTriangle + "f 1//1 2//1 3//0\n",
+  expect_error("vn 0 0 1\n" + kTriangleText + "f 1//1 2//1 3//0\n",
                "model.obj:5: a face uses normal 0, but they count from 1 to 1");
 }
 
 TEST(obj, wrong_statements) {
   const std::string corner = "model.obj:4: a face corner must be an index or index/index/index, not ";
-  expect_error(kTriangle + "f 1 2 x\n", corner + "'x'");
-  expect_error(kTriangle + "f 1 2 3.5\n", corner + "'3.5'");
-  expect_error(kTriangle + "f 1 2 /3\n", corner + "'/3'");
-  expect_error(kTriangle + "f 1 2 -\n", corner + "'-'");
+  expect_error(kTriangleText + "f 1 2 x\n", corner + "'x'");
+  expect_error(kTriangleText + "f 1 2 3.5\n", corner + "'3.5'");
+  expect_error(kTriangleText + "f 1 2 /3\n", corner + "'/3'");
+  expect_error(kTriangleText + "f 1 2 -\n", corner + "'-'");
   expect_error("vt 0 0\nvn 0 0 1\nv 0 0 0\nf 1/1/1/1 1 1\n", corner + "'1/1/1/1'");
-  expect_error(kTriangle + "f 1 2 3\x1b[31m\n", corner + "'[31m'");
+  expect_error(kTriangleText + "f 1 2 3\x1b[31m\n", corner + "'[31m'");
   expect_error("v 0 0 0\nv 1 2\n", "model.obj:2: a vertex needs three numbers, this one has 2");
   expect_error("v\n", "model.obj:1: a vertex needs three numbers, this one has 0");
   expect_error("v 1,5 2 3\n", "model.obj:1: a vertex needs three numbers, this one has 0");
@@ -327,14 +330,14 @@ TEST(obj, no_faces) {
   expect_error("", "model.obj: has no faces to draw; there are 0 vertices");
   expect_error("\\", "model.obj: has no faces to draw; there are 0 vertices");
   expect_error("v 0 0 0\n", "model.obj: has no faces to draw; there are 1 vertex");
-  expect_error(kTriangle + "l 1 2\np 1\n",
+  expect_error(kTriangleText + "l 1 2\np 1\n",
                "model.obj: has no faces to draw; there are 3 vertices, 2 points or lines");
-  expect_error(kTriangle + "f 1\nf 1 2\n",
+  expect_error(kTriangleText + "f 1\nf 1 2\n",
                "model.obj: has no faces to draw; there are 3 vertices, 2 faces of fewer than 3 corners");
 }
 
 TEST(obj, limits_are_kept) {
-  const std::string text = kSquare + "f 1 2 3 4\n";
+  const std::string text = kSquareText + "f 1 2 3 4\n";
   Source source;
   source.bytes = std::as_bytes(std::span(text));
   source.options.limits.max_triangles = 1;
@@ -364,18 +367,18 @@ std::string large_text() {
 TEST(obj, threads_do_not_show) {
   const std::string text = large_text();
   ASSERT_GT(text.size(), 3u << 20);
-  const Result<Scene> one = read(text, 1);
+  const Result<Scene> one = read_text(text, 1);
   ASSERT_TRUE(one) << one.error().text();
   EXPECT_EQ(one->meshes.size(), 7u);
   for (const int threads : {2, 7}) {
-    const Result<Scene> many = read(text, threads);
+    const Result<Scene> many = read_text(text, threads);
     ASSERT_TRUE(many);
     expect_same(*one, *many);
   }
   // The last error of the text does not win over the first.
   const std::string broken = "f 1 2 999999\n" + text + "f 1 2 0\n";
-  for (const int threads : {1, 2, 7}) EXPECT_EQ(read(broken, threads).error().line, 1);
-  EXPECT_EQ(read(text + "f 1 2 0\n", 2).error().line, 1 + std::count(text.begin(), text.end(), '\n'));
+  for (const int threads : {1, 2, 7}) EXPECT_EQ(read_text(broken, threads).error().line, 1);
+  EXPECT_EQ(read_text(text + "f 1 2 0\n", 2).error().line, 1 + std::count(text.begin(), text.end(), '\n'));
 }
 
 // Mending makes a copy of the text, and one piece more or less must not show either.
@@ -418,13 +421,13 @@ std::string lists_of(std::string_view text, std::size_t piece_bytes) {
 }
 
 TEST(obj, where_pieces_are_cut_does_not_show) {
-  const std::string lists = kSquare + "vt 0 0\nvt 1 1\nvn 0 0 1\n";
+  const std::string lists = kSquareText + "vt 0 0\nvt 1 1\nvn 0 0 1\n";
   for (const std::string& text :
        {lists + "f 1 2 3\nf 1//1 2\nf 1 2 3\n", lists + "f 1/1 2\n# \n# \n# \nf 1 2 3\nusemtl a\nf 1 2 3\n",
         lists + "f 1 2 3\nf 1 2 3 4\nf 1/1 2/2 3/1\nf 1//1 2//1 3//1\nv 1 2 3 1 0 0\nv 4 5 6\nf -1 -2 -3\n",
         "o a\nf 1 2 3\ns 1\n" + lists +
             "usemtl b\nf -1 -2 -3\nvp 1\nl 1 2\ncurv 2\nf 1\nmtllib x y\np 1\n\\\n",
-        "\xef\xbb\xbf" + kTriangle + "f 1 2 \\\n3\n# \\\nf 1 2 3/9/9\r\n\r\n\r\nf 1 2 x",
+        "\xef\xbb\xbf" + kTriangleText + "f 1 2 \\\n3\n# \\\nf 1 2 3/9/9\r\n\r\n\r\nf 1 2 x",
         lists + "v 1 2\nf 0 1 2\n",
         std::string("v 0 0 0\rv 1 0 0\rv 1 1 0\rf 1 2 3\rf 2 3 1\r\r\r\rf 1 9 1")}) {
     const std::string expected = lists_of(text, ObjText::kPieceBytes);
@@ -434,7 +437,7 @@ TEST(obj, where_pieces_are_cut_does_not_show) {
 
 // A face that is left out must not make the file one with normals.
 TEST(obj, normals_of_a_face_left_out) {
-  const Scene scene = scene_of(kSquare + "vn 0 0 1\nusemtl a\nf 1 2 3\nf 1//1 2\nusemtl b\nf 1 3 4\n");
+  const Scene scene = scene_of(kSquareText + "vn 0 0 1\nusemtl a\nf 1 2 3\nf 1//1 2\nusemtl b\nf 1 3 4\n");
   ASSERT_EQ(scene.meshes.size(), 2u);
   EXPECT_EQ(scene.meshes[0].normals.size(), 3u);
 }
@@ -442,7 +445,7 @@ TEST(obj, normals_of_a_face_left_out) {
 // Time must not be squared by a million corners that share a vertex, nor may one of them be lost.
 TEST(obj, many_corners_of_one_vertex) {
   constexpr int kCount = 100'000;
-  std::string text = kTriangle;
+  std::string text = kTriangleText;
   for (int i = 0; i < kCount; ++i) text += "vt 0." + std::to_string(i) + " 0\n";
   for (int twice = 0; twice < 2; ++twice) {
     for (int i = 1; i <= kCount; ++i) text += "f 1/" + std::to_string(i) + " 2/1 3/1\n";
@@ -459,7 +462,7 @@ TEST(obj, every_prefix) {
   for (std::size_t size = 0; size <= text.size(); ++size) {
     // Memory of its own, so that sanitizers see a step too far.
     const std::vector<char> prefix(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(size));
-    const Result<Scene> scene = read({prefix.data(), prefix.size()});
+    const Result<Scene> scene = read_text({prefix.data(), prefix.size()});
     if (scene) {
       EXPECT_LE(scene->triangles(), 4u);
     } else {
@@ -483,8 +486,9 @@ class ObjFolder : public testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder_.parent_path()); }
 
   Scene with_library(const std::string& statement, const std::string& material) const {
-    const std::string text = "mtllib " + statement + "\nusemtl " + material + "\n" + kTriangle + "f 1 2 3\n";
-    Result<Scene> scene = read(text, 1, folder_);
+    const std::string text =
+        "mtllib " + statement + "\nusemtl " + material + "\n" + kTriangleText + "f 1 2 3\n";
+    Result<Scene> scene = read_text(text, 1, folder_);
     EXPECT_TRUE(scene);
     return scene ? std::move(*scene) : Scene{};
   }
@@ -526,21 +530,22 @@ TEST_F(ObjFolder, libraries_outside_the_folder_are_refused) {
 }
 
 TEST_F(ObjFolder, without_a_folder_nothing_is_read) {
-  const std::string text = "mtllib a.mtl\n" + kTriangle + "f 1 2 3\n";
+  const std::string text = "mtllib a.mtl\n" + kTriangleText + "f 1 2 3\n";
   EXPECT_EQ(problems_of(scene_of(text)), "material file 'a.mtl' was not read: the model has no folder\n");
 }
 
 TEST_F(ObjFolder, a_thousand_libraries_are_not_looked_for) {
-  std::string text = kTriangle + "f 1 2 3\n";
+  std::string text = kTriangleText + "f 1 2 3\n";
   for (int i = 0; i < 1000; ++i) text += "mtllib no" + std::to_string(i) + ".mtl\n";
-  const Result<Scene> scene = read(text, 1, folder_);
+  const Result<Scene> scene = read_text(text, 1, folder_);
   ASSERT_TRUE(scene);
   EXPECT_LT(scene->problems.size(), 70u);
 }
 
 TEST_F(ObjFolder, textures_are_shared) {
-  const std::string text = "mtllib a.mtl b c.mtl\n" + kTriangle + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n";
-  const Result<Scene> scene = read(text, 1, folder_);
+  const std::string text =
+      "mtllib a.mtl b c.mtl\n" + kTriangleText + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n";
+  const Result<Scene> scene = read_text(text, 1, folder_);
   ASSERT_TRUE(scene);
   EXPECT_EQ(scene->textures.size(), 3u);
   EXPECT_EQ(scene->materials[1].color_texture, 0);

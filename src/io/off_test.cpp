@@ -4,8 +4,6 @@
 namespace blysk::io {
 namespace {
 
-const std::string kSquareRows = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
-
 const Mesh& mesh_of(const Result<Scene>& scene) {
   static const Mesh kNone;
   EXPECT_TRUE(scene) << scene.error().text();

@@ -16,8 +16,7 @@ std::string faces(int count, std::string_view list = "property list uchar int ve
   return "element face " + std::to_string(count) + "\n" + std::string(list);
 }
 
-const std::string kSquareRows = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
-const Array<Vec3f> kSquare = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+const Array<Vec3f> kSquareCorners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
 std::string ascii_square() {
   return header("ascii", vertices(4, kXyz) + faces(2)) + kSquareRows + "3 0 1 2\n3 0 2 3\n";
@@ -25,7 +24,7 @@ std::string ascii_square() {
 
 std::string binary_square(bool big) {
   std::string file = header(big ? "binary_big_endian" : "binary_little_endian", vertices(4, kXyz) + faces(2));
-  for (const Vec3f& p : kSquare) file += big ? packed_big(p.x, p.y, p.z) : packed(p.x, p.y, p.z);
+  for (const Vec3f& p : kSquareCorners) file += big ? packed_big(p.x, p.y, p.z) : packed(p.x, p.y, p.z);
   for (const int i : {1, 2}) {
     file += '\3';
     file += big ? packed_big(0, i, i + 1) : packed(0, i, i + 1);
@@ -46,7 +45,7 @@ TEST(ply, the_three_formats_give_the_same) {
     const Result<Scene> scene = load_text(file, "x.ply");
     ASSERT_TRUE(scene) << scene.error().text();
     const Mesh& mesh = scene->meshes.at(0);
-    EXPECT_EQ(mesh.positions, kSquare);
+    EXPECT_EQ(mesh.positions, kSquareCorners);
     EXPECT_EQ(mesh.indices, (Array<std::uint32_t>{0, 1, 2, 0, 2, 3}));
     EXPECT_EQ(mesh.normals, (Array<Vec3f>{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}}));
     EXPECT_TRUE(scene->problems.empty());
@@ -196,7 +195,7 @@ TEST(ply, strips) {
   std::string both =
       header("binary_little_endian",
              vertices(4, kXyz) + faces(1) + "element tristrips 1\nproperty list int int vertex_indices\n");
-  for (const Vec3f& p : kSquare) both += packed(p.x, p.y, p.z);
+  for (const Vec3f& p : kSquareCorners) both += packed(p.x, p.y, p.z);
   both += '\3' + packed(0, 1, 2) + packed(3, 0, 2, 3);
   const Result<Scene> joined = load_text(both, "x.ply");
   ASSERT_TRUE(joined) << joined.error().text();

@@ -12,7 +12,7 @@
 namespace blysk::io {
 namespace {
 
-constexpr std::size_t kBlock = 1024;  // rows that stay in the first cache while every column passes
+constexpr std::size_t kRowsTogether = 1024;  // rows that stay in the first cache while every column passes
 
 // 32-bit integers hold the same 0..255 as bytes do.
 double largest(PlyType type) {
@@ -195,8 +195,8 @@ void PlyVertices::store_block(const Column& c, const std::byte* rows, std::size_
 
 void PlyVertices::store_rows(const std::byte* rows, std::size_t row_bytes, PlyFormat format,
                              ThreadPool& pool) const {
-  pool.for_each((count_ + kBlock - 1) / kBlock, [&](int, std::size_t block) {
-    const std::size_t begin = block * kBlock, end = std::min(count_, begin + kBlock);
+  pool.for_each((count_ + kRowsTogether - 1) / kRowsTogether, [&](int, std::size_t block) {
+    const std::size_t begin = block * kRowsTogether, end = std::min(count_, begin + kRowsTogether);
     for (const Column& c : columns_) {
       if (c.attribute == Attribute::none) continue;
       with_type(c.type, [&](auto t) {

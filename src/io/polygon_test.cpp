@@ -11,7 +11,7 @@
 namespace blysk::io {
 namespace {
 
-double area(std::span<const Vec3f> p, const Array<std::uint32_t>& indices) {
+double area_of(std::span<const Vec3f> p, const Array<std::uint32_t>& indices) {
   double sum = 0;
   for (std::size_t i = 0; i < indices.size(); i += 3) {
     const Vec3d a = to_double(p[indices[i]]), b = to_double(p[indices[i + 1]]),
@@ -34,7 +34,7 @@ void expect_covered(const std::vector<Vec3f>& p) {
   Array<std::uint32_t> indices;
   triangulate(p, indices);
   ASSERT_EQ(indices.size(), 3 * (p.size() - 2));
-  EXPECT_NEAR(area(p, indices), shoelace(p), 1e-4 * shoelace(p));
+  EXPECT_NEAR(area_of(p, indices), shoelace(p), 1e-4 * shoelace(p));
 }
 
 TEST(triangulate, convex_polygons_are_fans) {

@@ -69,6 +69,9 @@ inline void expect_all_prefixes_survive(std::string_view file, std::string_view 
   }
 }
 
+/// Corners of the unit square, a row each.
+inline const std::string kSquareRows = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+
 inline double area(const Mesh& mesh) {
   double sum = 0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-using blysk::io::parse_number;
-using blysk::io::TextCursor;
+namespace blysk::io {
 
 TEST(parse_number, floats) {
   float v = 0;
@@ -53,3 +52,5 @@ TEST(text_cursor, no_step_at_what_is_no_number) {
   EXPECT_FALSE(cursor.number(v));
   EXPECT_EQ(cursor.word(), "x");
 }
+
+}  // namespace blysk::io

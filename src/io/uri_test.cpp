@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
+namespace blysk::io {
 namespace {
-
-using namespace blysk::io;
 
 std::string decoded(std::string_view data) {
   const auto uri = decode_data_uri("data:a/b;base64," + std::string(data));
@@ -63,3 +62,5 @@ TEST(uri, paths_that_lead_elsewhere) {
     EXPECT_EQ(path_of(uri), "error") << uri;
   }
 }
+
+}  // namespace blysk::io

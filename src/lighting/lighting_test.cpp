@@ -1,5 +1,5 @@
 // The reference forms against the specification's numbers; the kernels' lobe against the reference.
-#define BLYSK_ISA isa_lighting_test
+#define BLYSK_ISA isa_test
 #include "lighting/lighting.h"
 
 #include <gtest/gtest.h>
@@ -10,16 +10,16 @@
 #include "core/random.h"
 #include "lighting/lighting_reference.h"
 
-namespace blysk::isa_lighting_test {
+namespace blysk::isa_test {
 namespace {
 
 // Section 13, R1: N, L, V (normalised first), Ia = 1, ka = 0.1, Il = 1, kd = 0.6, ks = 0.3.
-struct Row {
+struct SpecifiedRow {
   Vec3d normal, light, viewer;
   double n, n_l, r_v, n_h, lambert, phong, blinn;
 };
 
-constexpr Row kRows[] = {
+constexpr SpecifiedRow kSpecifiedRows[] = {
     {{0.2, 0.3, 1},
      {0.5, 0.5, 1},
      {0, 0, 1},
@@ -54,7 +54,7 @@ constexpr Row kRows[] = {
     {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, 50, 1, 1, 1, 0.7, 1, 1},
 };
 
-reference::Lighting lighting_of(const Row& row, LightingModel model) {
+reference::Lighting lighting_of(const SpecifiedRow& row, LightingModel model) {
   reference::Lighting l;
   l.model = model;
   // ka and kd are one colour here, 0.6: Ia * ka = 0.1 is an ambient light of 0.1 / 0.6.
@@ -69,7 +69,7 @@ reference::Lighting lighting_of(const Row& row, LightingModel model) {
 }
 
 TEST(lighting, reference_has_the_specifications_numbers) {
-  for (const Row& row : kRows) {
+  for (const SpecifiedRow& row : kSpecifiedRows) {
     const reference::Directions d = {normalize(row.normal), normalize(row.light), normalize(row.viewer)};
     EXPECT_NEAR(dot(d.normal, d.light), row.n_l, 1e-9);
     EXPECT_NEAR(reference::cos_reflected(d), row.r_v, 1e-9);
@@ -213,4 +213,4 @@ TEST(lighting, light_point_agrees_with_the_reference) {
 }
 
 }  // namespace
-}  // namespace blysk::isa_lighting_test
+}  // namespace blysk::isa_test

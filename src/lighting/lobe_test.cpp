@@ -1,6 +1,6 @@
 // The reference forms against the specification's numbers and error tables; the kernels against the
 // reference.
-#define BLYSK_ISA isa_lobe_test
+#define BLYSK_ISA isa_test
 #include "lighting/lobe.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 #include "lighting/set_lobe.h"
 #include "render/testing.h"
 
-namespace blysk::isa_lobe_test {
+namespace blysk::isa_test {
 namespace {
 
 struct Named {
@@ -399,4 +399,4 @@ TEST(lobe, pictures_of_every_instruction_set_agree_with_the_reference) {
 }
 
 }  // namespace
-}  // namespace blysk::isa_lobe_test
+}  // namespace blysk::isa_test

@@ -11,7 +11,7 @@
 namespace blysk {
 namespace {
 
-constexpr int kWidth = 300, kHeight = 240, kDetail = 360;
+constexpr int kLensWidth = 300, kLensHeight = 240, kDetail = 360;
 constexpr double kPi = 3.14159265358979323846;
 
 struct Ray {
@@ -27,7 +27,7 @@ struct Lens {
 
   /// Through a point of the picture, pixels.
   [[nodiscard]] Ray at(double x, double y) const {
-    const double sx = (2 * x - kWidth) / kHeight, sy = 1 - 2 * y / kHeight;
+    const double sx = (2 * x - kLensWidth) / kLensHeight, sy = 1 - 2 * y / kLensHeight;
     if (camera.height > 0) {
       return {camera.eye + (right() * sx + up() * sy) * (camera.height / 2), forward()};
     }
@@ -101,8 +101,8 @@ const Scene& sphere() {
 Frame render(const Shot& shot) {
   RenderOptions o;
   o.antialias = "none";
-  o.width = kWidth;
-  o.height = kHeight;
+  o.width = kLensWidth;
+  o.height = kLensHeight;
   o.camera = shot.lens.camera;
   o.lights = shot.lights;
   o.lighting = shot.lighting;
@@ -116,9 +116,9 @@ Frame render(const Shot& shot) {
 // but for the outermost: there a facet's pixel may show a normal that faces away.
 template <class Visit>
 void for_each_hit(const Lens& lens, const Frame& frame, Visit visit) {
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      const auto i = static_cast<std::size_t>(y * kWidth + x);
+  for (int y = 0; y < kLensHeight; ++y) {
+    for (int x = 0; x < kLensWidth; ++x) {
+      const auto i = static_cast<std::size_t>(y * kLensWidth + x);
       const Ray ray = lens.at(x + 0.5, y + 0.5);
       const std::optional<double> depth = meet(ray);
       if (!depth || frame.id[i] == 0) continue;
@@ -141,9 +141,9 @@ TEST(analytic_sphere, silhouette) {
     SCOPED_TRACE(shot.name);
     const Frame frame = render(shot);
     long drawn = 0, analytic = 0, different = 0;
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) {
-        const bool covered = frame.id[static_cast<std::size_t>(y * kWidth + x)] != 0;
+    for (int y = 0; y < kLensHeight; ++y) {
+      for (int x = 0; x < kLensWidth; ++x) {
+        const bool covered = frame.id[static_cast<std::size_t>(y * kLensWidth + x)] != 0;
         const bool inside = meet(shot.lens.at(x + 0.5, y + 0.5)).has_value();
         drawn += covered ? 1 : 0;
         analytic += inside ? 1 : 0;

@@ -44,11 +44,6 @@ std::uint64_t sum(const Array<std::uint32_t>& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
-template <class T>
-bool same(const Array<T>& a, const Array<T>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
-}
-
 // One pixel of the specification's cases E-A: the one at (4, 4) of a picture of 9 by 9. Places count from its
 // corner, depths are 0 near to 1 far.
 struct Corner {
@@ -168,16 +163,17 @@ TEST(planes, agree_with_one_sample_of_sixteen_times_the_pixels) {
     RenderOptions o = sample_options(), fine = sample_options(4);
     o.want_fragments = o.want_coverage = o.want_complexity = true;
     const Frame frame = render_frame(crowd.scene, o), samples = render_frame(crowd.scene, fine);
-    std::vector<std::set<std::uint32_t>> generated(std::size_t{kWidth} * kHeight), live(generated.size());
+    std::vector<std::set<std::uint32_t>> generated(std::size_t{kCrowdWidth} * kCrowdHeight),
+        live(generated.size());
     std::vector<int> covered(generated.size());
-    const auto pixel = [](int x, int y) { return static_cast<std::size_t>(y / 4 * kWidth + x / 4); };
+    const auto pixel = [](int x, int y) { return static_cast<std::size_t>(y / 4 * kCrowdWidth + x / 4); };
     for (std::uint32_t i = 0; i < crowd.triangles.size(); ++i) {
-      reference::for_each_covered(crowd.triangles[i], 4 * kWidth, 4 * kHeight,
+      reference::for_each_covered(crowd.triangles[i], 4 * kCrowdWidth, 4 * kCrowdHeight,
                                   [&](int x, int y) { generated[pixel(x, y)].insert(i); });
     }
-    for (int y = 0; y < 4 * kHeight; ++y) {
-      for (int x = 0; x < 4 * kWidth; ++x) {
-        const std::uint32_t id = samples.id[static_cast<std::size_t>(y * 4 * kWidth + x)];
+    for (int y = 0; y < 4 * kCrowdHeight; ++y) {
+      for (int x = 0; x < 4 * kCrowdWidth; ++x) {
+        const std::uint32_t id = samples.id[static_cast<std::size_t>(y * 4 * kCrowdWidth + x)];
         if (id == 0) continue;
         live[pixel(x, y)].insert(id);
         ++covered[pixel(x, y)];
@@ -254,9 +250,9 @@ TEST(planes, the_picture_does_not_depend_on_them) {
       const Frame planes = render_frame(scene, o);
       o.want_fragments = o.want_coverage = false;
       const Frame without = render_frame(scene, o);
-      EXPECT_TRUE(same(with.image.pixels, without.image.pixels)) << method;
-      EXPECT_TRUE(same(with.fragments, planes.fragments)) << method;
-      EXPECT_TRUE(same(with.coverage.values, planes.coverage.values)) << method;
+      EXPECT_TRUE(same_bytes(with.image.pixels, without.image.pixels)) << method;
+      EXPECT_TRUE(same_bytes(with.fragments, planes.fragments)) << method;
+      EXPECT_TRUE(same_bytes(with.coverage.values, planes.coverage.values)) << method;
       EXPECT_TRUE(planes.statistics.complexity.generated.bins.empty()) << method;
       EXPECT_TRUE(without.fragments.empty()) << method;
       EXPECT_TRUE(without.coverage.values.empty()) << method;
@@ -271,8 +267,8 @@ TEST(planes, threads_and_instruction_sets_do_not_show) {
   for (const char* method : kMethods) {
     const Frame one = render_frame(scene, counting(method));
     const auto expect_same = [&](const Frame& frame) {
-      EXPECT_TRUE(same(one.fragments, frame.fragments)) << method;
-      EXPECT_TRUE(same(one.coverage.values, frame.coverage.values)) << method;
+      EXPECT_TRUE(same_bytes(one.fragments, frame.fragments)) << method;
+      EXPECT_TRUE(same_bytes(one.coverage.values, frame.coverage.values)) << method;
       const FrameStatistics &a = one.statistics, &b = frame.statistics;
       EXPECT_EQ(a.complexity.generated, b.complexity.generated) << method;
       EXPECT_EQ(a.complexity.live, b.complexity.live) << method;
@@ -317,8 +313,8 @@ TEST(planes, the_fullest_pool_tells_how_many_slots_are_enough) {
   };
   const Frame roomy = shown("65536");
   const std::uint64_t fullest = roomy.statistics.fragment_memory.fullest_pool_peak;
-  EXPECT_TRUE(same(roomy.image.pixels, shown(std::to_string(fullest)).image.pixels));
-  EXPECT_FALSE(same(roomy.image.pixels, shown(std::to_string(fullest / 2)).image.pixels));
+  EXPECT_TRUE(same_bytes(roomy.image.pixels, shown(std::to_string(fullest)).image.pixels));
+  EXPECT_FALSE(same_bytes(roomy.image.pixels, shown(std::to_string(fullest / 2)).image.pixels));
 }
 
 }  // namespace

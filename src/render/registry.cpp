@@ -82,9 +82,9 @@ constexpr MethodSetting kMergePolicy = {
     "neighbours in depth, with a fitted plane; the pair that loses least depth",
     kMerges, 5};
 constexpr std::string_view kSampleCounts[] = {"16", "32"};
-constexpr MethodSetting kSamples = {"samples", "of a pixel: 4 columns and 4 rows, or 8 columns and 4 rows",
-                                    kSampleCounts};
-constexpr MethodSetting kSamplesAlone[] = {kSamples};
+constexpr MethodSetting kSamplesSetting = {
+    "samples", "of a pixel: 4 columns and 4 rows, or 8 columns and 4 rows", kSampleCounts};
+constexpr MethodSetting kSamplesAlone[] = {kSamplesSetting};
 constexpr std::string_view kSubpixelSides[] = {"2", "4", "8", "16"};
 constexpr MethodSetting kSupersampleSettings[] = {
     {"n", "a pixel is n x n sub-pixels of 16 samples each: n=4 has 256 samples", kSubpixelSides, 1}};
@@ -94,14 +94,14 @@ constexpr MethodSetting kDiscardSettings[] = {
      "what goes: the farthest, the smallest; the same with the pixel shown as before the last drop; the "
      "farthest, and the rest fills the pixel",
      kDiscards, 3},
-    kSamples};
-constexpr MethodSetting kMergeSettings[] = {kFragments, kMergePolicy, kSamples};
+    kSamplesSetting};
+constexpr MethodSetting kMergeSettings[] = {kFragments, kMergePolicy, kSamplesSetting};
 constexpr MethodSetting kPoolSettings[] = {
     {"main", "fragments that a pixel has room for", {}, 1, 1, 8},
     {"extra", "addresses of more in the pool", {}, 2, 0, 15},
     {"pool", "slots that a tile of 64x64 pixels shares, 32x64 with 32 samples", {}, 4096, 0, 65536},
     kMergePolicy,
-    kSamples};
+    kSamplesSetting};
 
 constexpr Method kMethods[] = {
     {MethodKind::shading, "phong", "Normals interpolated, lit at every pixel", "Phong 1975; thesis 3.3", "",

@@ -10,16 +10,6 @@
 namespace blysk {
 namespace {
 
-Scene shape_scene(const char* text) { return std::move(*make_shape(text)); }
-
-RenderOptions sized(int width, int height) {
-  RenderOptions o;
-  o.antialias = "none";
-  o.width = width;
-  o.height = height;
-  return o;
-}
-
 void expect_refused(const Scene& scene, const RenderOptions& options, ErrorCode code, const char* word) {
   Renderer& renderer = shared_renderer(Isa::best);
   const Result<Frame> frame = renderer.render(scene, options);

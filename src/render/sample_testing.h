@@ -10,13 +10,13 @@
 
 namespace blysk {
 
-inline constexpr int kWidth = 90, kHeight = 75;
+inline constexpr int kCrowdWidth = 90, kCrowdHeight = 75;
 
 inline RenderOptions sample_options(int scale = 1) {
   RenderOptions o;
-  o.width = kWidth * scale;
-  o.height = kHeight * scale;
-  o.camera = pixel_camera(kHeight);
+  o.width = kCrowdWidth * scale;
+  o.height = kCrowdHeight * scale;
+  o.camera = pixel_camera(kCrowdHeight);
   o.cull = Cull::none;
   o.transfer = Transfer::none;
   o.antialias = scale == 1 ? "abuffer" : "none";
@@ -41,13 +41,13 @@ inline reference::Place random_place(Random& random, Vec2<double> around, double
 }
 
 inline Vec3f position_of(const reference::Place& p) {
-  return {static_cast<float>(p.x - kWidth * 512) / 1024, static_cast<float>(kHeight * 512 - p.y) / 1024,
-          p.nearness * 2 - 1};
+  return {static_cast<float>(p.x - kCrowdWidth * 512) / 1024,
+          static_cast<float>(kCrowdHeight * 512 - p.y) / 1024, p.nearness * 2 - 1};
 }
 
 // Of a size between two binary orders, in 1/1024 pixel.
 inline reference::Triangle random_triangle(Random& random, double least, double most) {
-  const Vec2<double> c = {uniform(random, 0, kWidth * 1024), uniform(random, 0, kHeight * 1024)};
+  const Vec2<double> c = {uniform(random, 0, kCrowdWidth * 1024), uniform(random, 0, kCrowdHeight * 1024)};
   const double reach = std::pow(2.0, uniform(random, least, most));  // deterministic: any size will do
   const reference::Place a = random_place(random, c, reach), b = random_place(random, c, reach);
   return {{a, b, random_place(random, c, reach)}};

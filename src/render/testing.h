@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstring>
 #include <initializer_list>
 #include <map>
 #include <memory>
@@ -11,6 +13,7 @@
 #include <vector>
 
 #include "blysk/render.h"
+#include "blysk/shapes.h"
 #include "core/random.h"
 
 namespace blysk {
@@ -19,6 +22,14 @@ namespace blysk {
 inline RenderOptions center_options() {
   RenderOptions o;
   o.antialias = "none";
+  return o;
+}
+
+/// Those of this size.
+inline RenderOptions sized(int width, int height) {
+  RenderOptions o = center_options();
+  o.width = width;
+  o.height = height;
   return o;
 }
 
@@ -42,6 +53,30 @@ inline Frame render_frame(const Scene& scene, const RenderOptions& options, Isa 
   Frame frame;
   render_to(frame, scene, options, isa, threads);
   return frame;
+}
+
+template <class T>
+bool same_bytes(const Array<T>& a, const Array<T>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+inline bool same(const Image& a, const Image& b) { return same_bytes(a.pixels, b.pixels); }
+
+inline Scene shape_scene(const char* text) {
+  Result<Scene> scene = make_shape(text);
+  EXPECT_TRUE(scene) << scene.error().text();
+  return scene ? std::move(*scene) : Scene{};
+}
+
+/// The same triangles in the opposite order: other runs, other lanes.
+inline Scene turned(Scene scene) {
+  for (Mesh& mesh : scene.meshes) {
+    for (std::size_t a = 0, b = mesh.triangles(); a + 1 < b; ++a) {
+      --b;
+      for (std::size_t k = 0; k < 3; ++k) std::swap(mesh.indices[3 * a + k], mesh.indices[3 * b + k]);
+    }
+  }
+  return scene;
 }
 
 inline Mesh mesh_of(const std::vector<Vec3f>& positions, const std::vector<std::uint32_t>& indices) {

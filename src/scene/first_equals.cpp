@@ -13,9 +13,9 @@
 namespace blysk {
 namespace {
 
-constexpr std::size_t kMostParts = 4;          // each has tables of its own
+constexpr std::size_t kMostTables = 4;         // each has tables of its own
 constexpr std::size_t kPointsPerPart = 50000;  // fewer are not worth a thread
-constexpr std::size_t kBlock = std::size_t{1} << 15;
+constexpr std::size_t kPointBlock = std::size_t{1} << 15;
 constexpr std::size_t kBitsPerPoint = 8;
 constexpr std::uint64_t kFactors[] = {0x9e3779b97f4a7c15u, 0xc2b2ae3d27d4eb4fu};
 
@@ -39,7 +39,7 @@ class Bits {
 };
 
 // The hashes that some points of a run have, and those that several have.
-struct Part {
+struct EqualsPart {
   std::size_t begin, end;
   Bits seen, shared;
 };
@@ -68,13 +68,13 @@ class Hash {
 
 Bits shared_hashes(const Array<Vec3f>& points, const Hash& hash, ThreadPool& pool) {
   const std::size_t count = std::clamp<std::size_t>(
-      points.size() / kPointsPerPart, 1, std::min(static_cast<std::size_t>(pool.size()), kMostParts));
-  std::vector<Part> parts;
+      points.size() / kPointsPerPart, 1, std::min(static_cast<std::size_t>(pool.size()), kMostTables));
+  std::vector<EqualsPart> parts;
   for (std::size_t i = 0; i < count; ++i) {
     parts.push_back({points.size() * i / count, points.size() * (i + 1) / count, {}, {}});
   }
   pool.for_each(count, [&](int, std::size_t i) {
-    Part& part = parts[i];
+    EqualsPart& part = parts[i];
     part.seen = part.shared = Bits(hash.values());
     for (std::size_t k = part.begin; k < part.end; ++k) {
       const std::size_t h = hash(points[k]);
@@ -96,10 +96,10 @@ Bits shared_hashes(const Array<Vec3f>& points, const Hash& hash, ThreadPool& poo
 Array<std::uint32_t> suspects(const Array<Vec3f>& points, std::uint64_t factor, ThreadPool& pool) {
   const Hash hash(points.size(), factor);
   const Bits shared = shared_hashes(points, hash, pool);
-  std::vector<Array<std::uint32_t>> found((points.size() + kBlock - 1) / kBlock);
+  std::vector<Array<std::uint32_t>> found((points.size() + kPointBlock - 1) / kPointBlock);
   pool.for_each(found.size(), [&](int, std::size_t block) {
-    const std::size_t end = std::min(points.size(), (block + 1) * kBlock);
-    for (std::size_t i = block * kBlock; i < end; ++i) {
+    const std::size_t end = std::min(points.size(), (block + 1) * kPointBlock);
+    for (std::size_t i = block * kPointBlock; i < end; ++i) {
       if (shared.has(hash(points[i]))) found[block].push_back(static_cast<std::uint32_t>(i));
     }
   });

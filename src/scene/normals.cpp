@@ -23,7 +23,7 @@ namespace blysk {
 namespace {
 
 constexpr std::size_t kTrianglesPerPart = std::size_t{1} << 17;
-constexpr std::size_t kMostParts = 8;
+constexpr std::size_t kMostSlabs = 8;
 constexpr std::size_t kBlock = std::size_t{1} << 15;
 constexpr std::size_t kAhead = 32;  // triangles whose positions are asked for
 constexpr std::size_t kMostFaces =
@@ -50,7 +50,7 @@ float scale_of(const Array<Vec3f>& positions) {
 
 // What all passes look at. Loops take a copy of their own: of others the compiler must think that what they
 // write could change it.
-struct Surface {
+struct MeshView {
   const std::uint32_t* indices;
   std::size_t triangles;
   const Vec3f* positions;
@@ -58,7 +58,7 @@ struct Surface {
   const std::uint32_t* places;  // per vertex; null: every vertex is its own place
   float scale;
 
-  Surface(const Mesh& mesh, const Array<std::uint32_t>& firsts)
+  MeshView(const Mesh& mesh, const Array<std::uint32_t>& firsts)
       : indices(mesh.indices.data()),
         triangles(mesh.triangles()),
         positions(mesh.positions.data()),
@@ -110,11 +110,11 @@ class Slabs {
 
 // Sums of a run of triangles, in blocks where it has places: a few far away must not cost memory for all
 // between.
-struct Part {
+struct SlabPart {
   std::size_t begin, end;       // triangles
   std::vector<Float4*> blocks;  // null: no triangle of the part has a place there
 
-  void add_up(const Surface surface, Slabs& slabs) {
+  void add_up(const MeshView surface, Slabs& slabs) {
     blocks.assign(surface.vertices / Slabs::kPlaces + 1, nullptr);
     for (std::size_t triangle = begin; triangle < end; ++triangle) {
       surface.expect(triangle + kAhead);
@@ -131,10 +131,10 @@ struct Part {
 
 // The unit normal of every place, at its first vertex; zero where its faces cancel out or there are none. The
 // parts, and with them the order of the additions, depend on the mesh alone.
-Array<Vec3f> place_normals(const Surface& surface, ThreadPool& pool) {
+Array<Vec3f> place_normals(const MeshView& surface, ThreadPool& pool) {
   const std::size_t triangles = surface.triangles;
-  const std::size_t count = std::clamp<std::size_t>(triangles / kTrianglesPerPart, 1, kMostParts);
-  std::vector<Part> parts(count);
+  const std::size_t count = std::clamp<std::size_t>(triangles / kTrianglesPerPart, 1, kMostSlabs);
+  std::vector<SlabPart> parts(count);
   std::vector<Slabs> slabs(static_cast<std::size_t>(pool.size()), Slabs(surface.vertices));
   pool.for_each(count, [&](int worker, std::size_t i) {
     parts[i].begin = triangles * i / count;
@@ -149,7 +149,7 @@ Array<Vec3f> place_normals(const Surface& surface, ThreadPool& pool) {
     const std::size_t first = block * Slabs::kPlaces, end = std::min(normals.size(), first + Slabs::kPlaces);
     for (std::size_t place = first; place < end; ++place) {
       Float4 sum = {};
-      for (const Part& part : parts) {
+      for (const SlabPart& part : parts) {
         if (part.blocks[block] != nullptr) sum += part.blocks[block][place - first];
       }
       normals[place] = unit_or_zero(to_vector(sum));
@@ -159,14 +159,14 @@ Array<Vec3f> place_normals(const Surface& surface, ThreadPool& pool) {
 }
 
 // Marks the places where a face leans away from the normal by more than half the crease.
-Array<std::uint8_t> find_creases(const Surface& whole, const Array<Vec3f>& normals, double crease_deg,
+Array<std::uint8_t> find_creases(const MeshView& whole, const Array<Vec3f>& normals, double crease_deg,
                                  ThreadPool& pool) {
   Array<std::uint8_t> marks;
   marks.resize(normals.size(), std::uint8_t{0});
   const auto cosine_half = static_cast<float>(cosine(radians(crease_deg / 2)));
   const float limit = cosine_half * cosine_half;
   pool.for_each((whole.triangles + kBlock - 1) / kBlock, [&](int, std::size_t block) {
-    const Surface surface = whole;
+    const MeshView surface = whole;
     const Vec3f* normal = normals.data();
     const std::size_t end = std::min(surface.triangles, (block + 1) * kBlock);
     for (std::size_t triangle = block * kBlock; triangle < end; ++triangle) {
@@ -189,7 +189,7 @@ Array<std::uint8_t> find_creases(const Surface& whole, const Array<Vec3f>& norma
 // Gives the corners at marked places normals and vertices of their own.
 class Splitter {
  public:
-  Splitter(Mesh& mesh, const Surface& surface, double crease_deg)
+  Splitter(Mesh& mesh, const MeshView& surface, double crease_deg)
       : mesh_(mesh), surface_(surface), cosine_crease_(static_cast<float>(cosine(radians(crease_deg)))) {}
 
   void run(const Array<std::uint8_t>& marks, ThreadPool& pool) {
@@ -341,7 +341,7 @@ class Splitter {
   }
 
   Mesh& mesh_;
-  const Surface& surface_;
+  const MeshView& surface_;
   float cosine_crease_;
   std::vector<std::size_t> starts_;
   Array<std::uint32_t> corners_;
@@ -353,7 +353,7 @@ class Splitter {
 };
 
 // From the normals of places to those of all vertices.
-void give_all_vertices(Array<Vec3f>& normals, const Surface& surface, ThreadPool& pool) {
+void give_all_vertices(Array<Vec3f>& normals, const MeshView& surface, ThreadPool& pool) {
   const std::size_t blocks = (normals.size() + kBlock - 1) / kBlock;
   const auto each = [&](const auto& change) {
     pool.for_each(blocks, [&](int, std::size_t block) {
@@ -375,7 +375,7 @@ void make_normals(Mesh& mesh, double crease_deg, ThreadPool& pool) {
   mesh.normals = {};
   if (!(crease_deg > 0) || mesh.indices.empty()) return;
   const Array<std::uint32_t> firsts = first_equals(mesh.positions, pool);
-  const Surface surface(mesh, firsts);
+  const MeshView surface(mesh, firsts);
   mesh.normals = place_normals(surface, pool);
   Array<std::uint8_t> marks;
   if (crease_deg < 180) marks = find_creases(surface, mesh.normals, crease_deg, pool);
@@ -399,7 +399,7 @@ void mend_normals(Mesh& mesh) {
     if (made.empty()) {
       ThreadPool pool(1);
       const Array<std::uint32_t> firsts = first_equals(mesh.positions, pool);
-      const Surface surface(mesh, firsts);
+      const MeshView surface(mesh, firsts);
       made = place_normals(surface, pool);
       give_all_vertices(made, surface, pool);
     }

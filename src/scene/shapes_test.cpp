@@ -46,7 +46,7 @@ void expect_sound(const Mesh& mesh, const std::string& text) {
   }
   for (const blysk::Vec3f& v : mesh.normals) ASSERT_NEAR(blysk::length(v), 1, 1e-6f);
   for (const blysk::Vec2f& t : mesh.texcoords) ASSERT_TRUE(t.x >= 0 && t.x <= 1 && t.y >= 0 && t.y <= 1);
-  EXPECT_EQ(blysk::shape::topology(mesh).flat_triangles, 0u);
+  EXPECT_EQ(blysk::shape::flat_triangles(mesh), 0u);
 }
 
 TEST(shapes, table_is_sound) {

@@ -20,7 +20,6 @@ struct Topology {
   std::size_t vertices = 0, edges = 0, triangles = 0;
   std::size_t border_edges = 0;  ///< of one triangle only
   std::size_t bad_edges = 0;     ///< of more than two, or of two that run the same way
-  std::size_t flat_triangles = 0;
 
   [[nodiscard]] bool closed() const { return border_edges == 0 && bad_edges == 0; }
   [[nodiscard]] long long euler() const {
@@ -43,7 +42,6 @@ inline Topology topology(const Mesh& mesh) {
       const std::uint32_t a = vertex[mesh.indices[i + k]], b = vertex[mesh.indices[i + (k + 1) % 3]];
       auto& uses = edges[{std::min(a, b), std::max(a, b)}];
       (a < b ? uses.first : uses.second) += 1;
-      t.flat_triangles += a == b ? 1 : 0;
     }
   }
   for (const auto& [edge, uses] : edges) {
@@ -54,6 +52,16 @@ inline Topology topology(const Mesh& mesh) {
   t.edges = edges.size();
   t.triangles = mesh.triangles();
   return t;
+}
+
+/// Triangles with two corners in one place.
+inline std::size_t flat_triangles(const Mesh& mesh) {
+  std::size_t flat = 0;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) { return mesh.positions[mesh.indices[i + k]]; };
+    flat += at(0) == at(1) || at(1) == at(2) || at(2) == at(0) ? 1 : 0;
+  }
+  return flat;
 }
 
 /// FNV-1a, 64 bits, of the positions' and indices' bytes.

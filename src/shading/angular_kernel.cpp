@@ -24,6 +24,11 @@ struct AngularLaw : AngularRow {
     if (job.settings[kWalkSetting] == 0 || !x.far) return d;
     return from_foot(d, turn.angle, max(ends.length * Y(1.0f / kSubpixels), Y(1.0f)));
   }
+
+  template <class F, class P>
+  static BLYSK_INLINE Point<P> point(const ShadeJob&, const Turn<F>& turn, const RowPoint<P>& at) {
+    return AngularRow::point(turn, at);
+  }
 };
 
 }  // namespace

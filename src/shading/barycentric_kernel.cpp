@@ -13,7 +13,17 @@
 namespace blysk::BLYSK_ISA {
 namespace {
 
-template <const MidVector& kPolynomial>
+// Of four times the middle's vector.
+struct Polynomial {
+  float q[3], lowest;
+  explicit constexpr Polynomial(const MidVector& p) : q(), lowest(static_cast<float>(p.lowest)) {
+    for (int i = 0; i < 3; ++i) q[i] = static_cast<float>(4 * p.q[i]);
+  }
+};
+
+// In the order of the registry's choices.
+constexpr Polynomial kFits[] = {Polynomial(kMidVectorPaper), Polynomial(kMidVectorMinimax)};
+
 struct Barycentric {
   template <class F>
   struct Triangle {
@@ -25,9 +35,8 @@ struct Barycentric {
   struct Span {};
 
   template <class F>
-  static BLYSK_INLINE V3<F> mid_vector(const V3<F>& a, const V3<F>& b, F c) {
-    constexpr auto q = [](int i) { return static_cast<float>(4 * kPolynomial.q[i]); };
-    const F scale = (F(q(2)) * c + F(q(1))) * c + F(q(0));
+  static BLYSK_INLINE V3<F> mid_vector(const Polynomial& p, const V3<F>& a, const V3<F>& b, F c) {
+    const F scale = (F(p.q[2]) * c + F(p.q[1])) * c + F(p.q[0]);
     return {(a.x + b.x) * scale, (a.y + b.y) * scale, (a.z + b.z) * scale};
   }
 
@@ -37,8 +46,9 @@ struct Barycentric {
     t.linear = fetch_unit_normals<F>(job, index);
     const V3<F>* n = t.linear.normal;
     const F c[3] = {dot(n[1], n[2]), dot(n[2], n[0]), dot(n[0], n[1])};
-    for (int k = 0; k < 3; ++k) t.mid[k] = mid_vector(n[(k + 1) % 3], n[(k + 2) % 3], c[k]);
-    const auto wide = min(min(c[0], c[1]), c[2]) < F(static_cast<float>(kPolynomial.lowest));
+    const Polynomial& fit = kFits[job.settings[0]];
+    for (int k = 0; k < 3; ++k) t.mid[k] = mid_vector(fit, n[(k + 1) % 3], n[(k + 2) % 3], c[k]);
+    const auto wide = min(min(c[0], c[1]), c[2]) < F(fit.lowest);
     t.wide = select(wide, F(1.0f), F(0.0f));
     t.any_wide = any(wide);
     return t;
@@ -83,14 +93,6 @@ struct Barycentric {
 
 }  // namespace
 
-void shade_barycentric(const ShadeJob& job) {
-  enum class Fit { paper, minimax };
-  switch (static_cast<Fit>(job.settings[0])) {
-    case Fit::paper:
-      return shade_draw<Barycentric<kMidVectorPaper>, ColorSink>(job);
-    case Fit::minimax:
-      return shade_draw<Barycentric<kMidVectorMinimax>, ColorSink>(job);
-  }
-}
+void shade_barycentric(const ShadeJob& job) { shade_draw<Barycentric, ColorSink>(job); }
 
 }  // namespace blysk::BLYSK_ISA

@@ -22,13 +22,13 @@ struct Polynomial {
 // How a third is taken: divided by 3, 1/2 - 1/8 - 1/32 - 1/128, the same in the formulas as printed.
 enum class Third { exact, shift, printed };
 
-template <Third kThird, class F>
-BLYSK_INLINE Polynomial<F> fit(const F i[kSamples]) {
+template <class F>
+BLYSK_INLINE Polynomial<F> fit(Third how, const F i[kSamples]) {
   const F three(3.0f), four(4.0f), eight(8.0f);
-  const F third(kThird == Third::exact ? 1.0f / 3.0f : 43.0f / 128.0f);
+  const F third(how == Third::exact ? 1.0f / 3.0f : 43.0f / 128.0f);
   Polynomial<F> q;
   q.d = i[0];
-  if constexpr (kThird == Third::printed) {
+  if (how == Third::printed) {
     q.a = eight * (i[1] + eight * i[3]) * third - eight * (i[0] + F(2.0f) * i[2]);
     q.b = F(2.0f) * (((F(7.0f) * i[0] - i[1]) + F(10.0f) * i[2]) - F(16.0f) * i[3]);
     q.c = ((i[1] + F(32.0f) * i[3]) * third - F(7.0f) * i[0]) - four * i[2];
@@ -43,7 +43,6 @@ BLYSK_INLINE Polynomial<F> fit(const F i[kSamples]) {
   return q;
 }
 
-template <Third kThird>
 struct Cubic {
   static constexpr int kSpanPixels = 3;
 
@@ -100,13 +99,14 @@ struct Cubic {
     LampTerms<F> terms[kSamples];
     light_nodes<kSamples>(job, t.lit, nodes, terms);
     const Surface& s = job.draw->surface;
+    const auto third = static_cast<Third>(job.settings[0]);
     for (int lamp = 0; lamp < s.lamps; ++lamp) {
       F values[kSamples];
       for (int i = 0; i < kSamples; ++i) values[i] = terms[i].cos_l[lamp];
-      span.cos_l[lamp] = fit<kThird>(values);
+      span.cos_l[lamp] = fit(third, values);
       if (s.model == LightingModel::lambert) continue;
       for (int i = 0; i < kSamples; ++i) values[i] = terms[i].lobe[lamp];
-      span.lobe[lamp] = fit<kThird>(values);
+      span.lobe[lamp] = fit(third, values);
     }
     return span;
   }
@@ -131,15 +131,6 @@ struct Cubic {
 
 }  // namespace
 
-void shade_cubic(const ShadeJob& job) {
-  switch (static_cast<Third>(job.settings[0])) {
-    case Third::exact:
-      return shade_draw<Cubic<Third::exact>, ColorSink>(job);
-    case Third::shift:
-      return shade_draw<Cubic<Third::shift>, ColorSink>(job);
-    case Third::printed:
-      return shade_draw<Cubic<Third::printed>, ColorSink>(job);
-  }
-}
+void shade_cubic(const ShadeJob& job) { shade_draw<Cubic, ColorSink>(job); }
 
 }  // namespace blysk::BLYSK_ISA

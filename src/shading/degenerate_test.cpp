@@ -12,7 +12,7 @@
 namespace blysk {
 namespace {
 
-constexpr int kSide = 96;
+constexpr int kDegenerateSide = 96;
 constexpr float kAmbient = 0.1f, kDiffuse = 0.5f, kSpecular = 0.3f;
 constexpr int kDarkest = 25, kBrightest = 230;  // 255 times ambient alone and the sum; neither is 0 or 255
 
@@ -41,8 +41,8 @@ Scene scene_with(const std::vector<Vec3f>& positions, const std::vector<Vec3f>& 
 
 RenderOptions options_with(Vec3d light) {
   RenderOptions o = center_options();
-  o.width = o.height = kSide;
-  o.camera = pixel_camera(kSide);
+  o.width = o.height = kDegenerateSide;
+  o.camera = pixel_camera(kDegenerateSide);
   o.transfer = Transfer::none;
   o.ambient = kAmbient / kDiffuse;
   o.want_id = true;
@@ -71,10 +71,10 @@ void draw_all(const Scene& scene, RenderOptions o, Look look) {
     for (int i = 0; i < 12; ++i) {
       o.interpolation = i % 2 == 0 ? Interpolation::screen : Interpolation::perspective;
       o.lighting = i / 4 == 0 ? "blinn" : i / 4 == 1 ? "phong" : "lambert";
-      o.camera = pixel_camera(kSide);
+      o.camera = pixel_camera(kDegenerateSide);
       if (i / 2 % 2 == 1) {
         o.camera->height = 0;
-        o.camera->fov_deg = 2 * 180 / 3.14159265358979 * std::atan(kSide / 2.0 / 200);
+        o.camera->fov_deg = 2 * 180 / 3.14159265358979 * std::atan(kDegenerateSide / 2.0 / 200);
         o.camera->eye = {0, 0, 200};
         o.camera->near_distance = 50;
         o.camera->far_distance = 300;
@@ -104,8 +104,6 @@ int off_phong(const Scene& scene, RenderOptions o, const std::vector<int>& level
   return most;
 }
 
-bool is(const std::string& variant, std::string_view word) { return variant.starts_with(word); }
-
 constexpr Vec3f kTilted = {0.2f, -0.3f, 0.932737f};
 
 // Needles of a pixel and less, upright and aslant, and triangles of one pixel: every row's ends are one
@@ -133,7 +131,7 @@ TEST(degenerate, parallel_normals) {
     // rows are 1 % too long, other parabolas 0.4 %, which the power raises.
     if (o.shading == "flat" || o.shading == "cubic:third=printed") return;
     const bool off = o.lighting != "lambert";
-    const int most = is(o.shading, "parallel:fit=paper") ? (off ? 60 : 3) : off ? 17 : 2;
+    const int most = o.shading.starts_with("parallel:fit=paper") ? (off ? 60 : 3) : off ? 17 : 2;
     ASSERT_LE(off_phong(scene, o, levels), most);
   });
 }
@@ -161,9 +159,10 @@ TEST(degenerate, a_highlight_inside) {
   draw_all(scene, options_with({0, 0, 1}), [&](const RenderOptions& o, const std::vector<int>& levels) {
     if (o.lighting != "blinn") return;
     const int brightest = *std::max_element(levels.begin(), levels.end());
-    if (is(o.shading, "gouraud")) {
+    if (o.shading.starts_with("gouraud")) {
       ASSERT_LT(brightest, 165);
-    } else if (!is(o.shading, "flat") && !is(o.shading, "quadratic") && !is(o.shading, "cubic")) {
+    } else if (!o.shading.starts_with("flat") && !o.shading.starts_with("quadratic") &&
+               !o.shading.starts_with("cubic")) {
       ASSERT_GT(brightest, 200);
     }
   });

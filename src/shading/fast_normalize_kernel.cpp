@@ -13,7 +13,18 @@
 namespace blysk::BLYSK_ISA {
 namespace {
 
-template <const InverseLength& kPolynomial>
+struct Polynomial {
+  float origin, c[4], lowest;
+  explicit constexpr Polynomial(const InverseLength& p)
+      : origin(static_cast<float>(p.origin)), c(), lowest(static_cast<float>(p.lowest)) {
+    for (int i = 0; i < 4; ++i) c[i] = static_cast<float>(p.c[i]);
+  }
+};
+
+// In the order of the registry's choices.
+constexpr Polynomial kFits[] = {Polynomial(kInverseLengthPaper), Polynomial(kInverseLengthMinimax),
+                                Polynomial(kInverseLengthCubic)};
+
 struct FastNormalize {
   template <class F>
   struct Triangle {
@@ -55,12 +66,11 @@ struct FastNormalize {
   }
 
   template <class P>
-  static BLYSK_INLINE P polynomial(P k) {
-    constexpr auto c = [](int i) { return static_cast<float>(kPolynomial.c[i]); };
-    const P t = kPolynomial.origin == 0 ? k : k - P(static_cast<float>(kPolynomial.origin));
-    P p = P(c(2));
-    if constexpr (kPolynomial.c[3] != 0) p = P(c(3)) * t + p;
-    return (p * t + P(c(1))) * t + P(c(0));
+  static BLYSK_INLINE P value(const Polynomial& q, P k) {
+    const P t = k - P(q.origin);
+    P p(q.c[2]);
+    if (q.c[3] != 0) p = P(q.c[3]) * t + p;
+    return (p * t + P(q.c[1])) * t + P(q.c[0]);
   }
 
   template <class F, class P, class Y>
@@ -69,9 +79,9 @@ struct FastNormalize {
     const V3<P> viewer = viewer_at(job, x, y);
     V3<P> n = normal_at(t, span, x);
     const P k = dot(n, n);
-    P inverse = polynomial(k);
-    const auto outside =
-        (k < P(static_cast<float>(kPolynomial.lowest))) | (k > P(static_cast<float>(kLargestSquare)));
+    const Polynomial& fit = kFits[job.settings[0]];
+    P inverse = value(fit, k);
+    const auto outside = (k < P(fit.lowest)) | (k > P(static_cast<float>(kLargestSquare)));
     if (__builtin_expect(any(outside), 0)) {
       V3<P> other = n;
       const P exact = exact_inverse_length(other, k, viewer);
@@ -86,16 +96,6 @@ struct FastNormalize {
 
 }  // namespace
 
-void shade_fast_normalize(const ShadeJob& job) {
-  enum class Fit { paper, minimax, cubic };
-  switch (static_cast<Fit>(job.settings[0])) {
-    case Fit::paper:
-      return shade_draw<FastNormalize<kInverseLengthPaper>, ColorSink>(job);
-    case Fit::minimax:
-      return shade_draw<FastNormalize<kInverseLengthMinimax>, ColorSink>(job);
-    case Fit::cubic:
-      return shade_draw<FastNormalize<kInverseLengthCubic>, ColorSink>(job);
-  }
-}
+void shade_fast_normalize(const ShadeJob& job) { shade_draw<FastNormalize, ColorSink>(job); }
 
 }  // namespace blysk::BLYSK_ISA

@@ -137,7 +137,7 @@ TEST(cubic_reference, is_the_specification) {
   }
 }
 
-constexpr int kWidth = 90, kHeight = 70;
+constexpr int kLitWidth = 90, kLitHeight = 70;
 
 // A triangle of pixel_camera() with its lights, in double precision.
 struct LitPicture {
@@ -284,7 +284,7 @@ struct LitPicture {
 // Corners on the grid of 1/256 pixel, normals within some 50 degrees of the viewer, on either side.
 void random_triangle(Random& random, LitPicture& picture, Scene& scene) {
   const auto reach = static_cast<std::int64_t>(256) << whole(random, 1, 6);
-  const std::int64_t cx = whole(random, 0, kWidth * 256), cy = whole(random, 0, kHeight * 256);
+  const std::int64_t cx = whole(random, 0, kLitWidth * 256), cy = whole(random, 0, kLitHeight * 256);
   const double side = whole(random, 0, 3) == 0 ? -1 : 1;
   Mesh& mesh = scene.meshes[0];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -295,7 +295,8 @@ void random_triangle(Random& random, LitPicture& picture, Scene& scene) {
       y = (a.y + 2 * b.y) / 3 + whole(random, -300, 300);
     }
     const double z = uniform(random, -0.5, 0.5);
-    mesh.positions[k] = to_float(Vec3d{double(x - kWidth * 128) / 256, double(kHeight * 128 - y) / 256, z});
+    mesh.positions[k] =
+        to_float(Vec3d{double(x - kLitWidth * 128) / 256, double(kLitHeight * 128 - y) / 256, z});
     const Vec3d n = normalize(Vec3d{uniform(random, -1, 1), uniform(random, -1, 1), 1});
     mesh.normals[k] = to_float(n * side);
     picture.triangle.corner[k] = {x, y, 0};
@@ -318,9 +319,9 @@ void compare_with(const char* method, Reference reference, long least = 1000000)
   scene.meshes[0].normals.resize(3);
   RenderOptions o;
   o.antialias = "none";
-  o.width = kWidth;
-  o.height = kHeight;
-  o.camera = pixel_camera(kHeight);
+  o.width = kLitWidth;
+  o.height = kLitHeight;
+  o.camera = pixel_camera(kLitHeight);
   o.shading = method;
   o.ambient = 0.1f;
   o.transfer = Transfer::none;
@@ -358,9 +359,9 @@ void compare_with(const char* method, Reference reference, long least = 1000000)
     }
     const std::vector<Isa> isas = available_isas();
     render_to(frame, scene, o, isas[static_cast<std::size_t>(i) % isas.size()]);
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) {
-        const auto at = static_cast<std::size_t>(y * kWidth + x);
+    for (int y = 0; y < kLitHeight; ++y) {
+      for (int x = 0; x < kLitWidth; ++x) {
+        const auto at = static_cast<std::size_t>(y * kLitWidth + x);
         if (frame.id[at] == 0) continue;
         const Vec3d c = (picture.*reference)(x, y);
         const double expected[] = {c.x, c.y, c.z};

@@ -8,9 +8,9 @@
 
 #include "blysk/metrics.h"
 #include "blysk/shapes.h"
-#include "render/testing.h"
 #include "shading/lighting_texture_reference.h"
 #include "shading/row_normals_reference.h"
+#include "shading/testing.h"
 
 namespace blysk {
 namespace {
@@ -53,7 +53,7 @@ TEST(lighting_texture_reference, fetch) {
   EXPECT_NEAR(reference::fetch_texture(4, saddle, 1.5 / 4, 1.5 / 4), 2.25, 1e-12);
 }
 
-constexpr int kSide = 512;
+constexpr int kTexturedSide = 512;
 
 struct Setting {
   const char* name;
@@ -102,8 +102,8 @@ TEST(lighting_texture, is_its_reference) {
   scene.meshes[0].normals.resize(3);
   RenderOptions o;
   o.antialias = "none";
-  o.width = o.height = kSide;
-  o.camera = pixel_camera(kSide);
+  o.width = o.height = kTexturedSide;
+  o.camera = pixel_camera(kTexturedSide);
   o.ambient = 0;
   o.transfer = Transfer::none;
   o.want_id = true;
@@ -148,11 +148,11 @@ TEST(lighting_texture, is_its_reference) {
     o.shading = setting.name;
     const std::vector<Isa> isas = available_isas();
     render_to(frame, scene, o, isas[static_cast<std::size_t>(round) % isas.size()]);
-    for (int y = 0; y < kSide; ++y) {
-      for (int x = 0; x < kSide; ++x) {
-        const auto at = static_cast<std::size_t>(y * kSide + x);
+    for (int y = 0; y < kTexturedSide; ++y) {
+      for (int x = 0; x < kTexturedSide; ++x) {
+        const auto at = static_cast<std::size_t>(y * kTexturedSide + x);
         if (frame.id[at] == 0) continue;
-        const double px = x + 0.5 - kSide / 2 - c[0].x, py = kSide / 2 - (y + 0.5) - c[0].y;
+        const double px = x + 0.5 - kTexturedSide / 2 - c[0].x, py = kTexturedSide / 2 - (y + 0.5) - c[0].y;
         const double u = (px * (c[2].y - c[0].y) - (c[2].x - c[0].x) * py) / twice;
         const double v = ((c[1].x - c[0].x) * py - px * (c[1].y - c[0].y)) / twice;
         Vec2<double> t;
@@ -182,31 +182,21 @@ TEST(lighting_texture, is_its_reference) {
   EXPECT_LE(wrong, pixels / 1000);
 }
 
-bool same(const Image& a, const Image& b) {
-  return a.pixels.size() == b.pixels.size() &&
-         std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(std::uint32_t)) == 0;
-}
-
 // Spans and gathered pixels of more triangles than are kept, many lamps, clipped triangles, near lamps.
 TEST(lighting_texture, instruction_sets_and_company_do_not_show) {
   for (const char* shape : {"sphere?detail=12", "sphere?detail=40", "terrain?detail=30", "plane", "cube"}) {
     Scene scene = std::move(*make_shape(shape));
     if (std::strcmp(shape, "cube") == 0) scene.meshes.at(0).normals.clear();
     scene.materials.at(0).shininess = 4;
-    Scene turned = scene;
-    for (Mesh& mesh : turned.meshes) {
-      for (std::size_t a = 0, b = mesh.triangles() - 1; a < b; ++a, --b) {
-        for (std::size_t k = 0; k < 3; ++k) std::swap(mesh.indices[3 * a + k], mesh.indices[3 * b + k]);
-      }
-    }
+    const Scene opposite = turned(scene);
     for (const Setting& setting : kSettings) {
       for (const std::size_t lamps : {std::size_t{1}, std::size_t{3}, std::size_t{6}}) {
         for (const bool inside : {false, true}) {
           SCOPED_TRACE(std::string(shape) + ", " + setting.name + ", lamps " + std::to_string(lamps));
           RenderOptions o;
           o.antialias = "none";
-          o.width = 291;
-          o.height = 190;
+          o.width = 211;
+          o.height = 138;
           o.shading = setting.name;
           o.cull = Cull::none;
           o.lights.resize(lamps);
@@ -217,16 +207,13 @@ TEST(lighting_texture, instruction_sets_and_company_do_not_show) {
             o.lights[i].color = {0.2f, 0.3f, 0.4f};
           }
           if (inside) {
-            o.camera = Camera{};
-            o.camera->eye = {0.1, 0.5, 0.6};
-            o.camera->target = {0, 0, -1};
-            o.camera->fov_deg = 80;
+            o.camera = camera_inside();
           }
-          const Frame expected = render_frame(scene, o, available_isas().front());
+          const Frame expected = render_frame(scene, o);
           for (const Isa isa : available_isas()) {
             EXPECT_TRUE(same(expected.image, render_frame(scene, o, isa).image)) << isa_name(isa);
           }
-          EXPECT_TRUE(same(expected.image, render_frame(turned, o, Isa::best, 3).image));
+          EXPECT_TRUE(same(expected.image, render_frame(opposite, o, Isa::best, 3).image));
         }
       }
     }
@@ -254,10 +241,7 @@ TEST(lighting_texture, spheres_look_like_phong) {
 
 // Opposite normals, normals of length 0, needles: a colour like any other.
 TEST(lighting_texture, hard_triangles) {
-  Mesh mesh = mesh_of({{-90, -90, 0}, {90, -90, 0}, {0, 90, 0}, {-90, 95, 0}, {95, -90, 0}, {95, -89.99f, 0}},
-                      {0, 1, 2, 3, 4, 5});
-  const std::vector<Vec3f> normals = {{0, 0, 1}, {0, 0, -1}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-  mesh.normals.assign(normals.begin(), normals.end());
+  const Mesh mesh = hard_triangles();
   RenderOptions o;
   o.antialias = "none";
   o.width = o.height = 200;

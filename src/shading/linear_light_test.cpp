@@ -21,7 +21,7 @@ using isa_test::F32;
 using isa_test::kLanes;
 
 constexpr std::size_t kCorners = 3 * kLanes;
-constexpr double kWidth = 1280, kHeight = 720;
+constexpr double kScreenWidth = 1280, kScreenHeight = 720;
 
 // Sixteen triangles in front of a camera, and what lights them.
 struct Batch {
@@ -89,14 +89,14 @@ struct Batch {
 };
 
 void randomize_light(Random& random, Batch& b) {
-  const double wide = uniform(random, 0.1, 1.2) / kHeight / 256;  // of a subpixel
+  const double wide = uniform(random, 0.1, 1.2) / kScreenHeight / 256;  // of a subpixel
   const bool parallel = whole(random, 0, 4) == 0;
   b.rays = ViewRays{};
   b.rays.direction[2] = -1;
   b.rays.orthographic = parallel;
   if (!parallel) {
-    b.rays.direction[0] = static_cast<float>(-wide * kWidth * 128);
-    b.rays.direction[1] = static_cast<float>(wide * kHeight * 128);
+    b.rays.direction[0] = static_cast<float>(-wide * kScreenWidth * 128);
+    b.rays.direction[1] = static_cast<float>(wide * kScreenHeight * 128);
     b.rays.direction_x[0] = static_cast<float>(wide);
     b.rays.direction_y[1] = static_cast<float>(-wide);
   }
@@ -134,7 +134,7 @@ void randomize_triangles(Random& random, Batch& b) {
     const double size = 256 * std::exp(uniform(random, std::log(2.0), std::log(200.0)));
     const double spread = std::exp(uniform(random, std::log(1e-3), std::log(0.5)));
     const double depth = std::exp(uniform(random, std::log(1e-4), std::log(0.2)));
-    const double cx = uniform(random, 0, 256 * kWidth), cy = uniform(random, 0, 256 * kHeight);
+    const double cx = uniform(random, 0, 256 * kScreenWidth), cy = uniform(random, 0, 256 * kScreenHeight);
     Vec3d axis = random_direction(random);
     // Often near a highlight.
     const float* lamp = b.draw.surface.lamp[0].vector;

@@ -7,52 +7,28 @@
 
 #include "blysk/metrics.h"
 #include "blysk/shapes.h"
-#include "render/testing.h"
 #include "shading/normals_reference.h"
+#include "shading/testing.h"
 
 namespace blysk {
 namespace {
 
-constexpr int kSide = 200;
+constexpr int kNormalsSide = 200;
 
-struct Shading {
+struct NormalMethod {
   const char* name;
   const InverseLength* inverse_length;  // one of the two
   const MidVector* mid_vector;
 };
 
-constexpr Shading kShadings[] = {{"fast-normalize", &kInverseLengthPaper, nullptr},
-                                 {"fast-normalize:fit=minimax", &kInverseLengthMinimax, nullptr},
-                                 {"fast-normalize:fit=cubic", &kInverseLengthCubic, nullptr},
-                                 {"barycentric", nullptr, &kMidVectorPaper},
-                                 {"barycentric:fit=minimax", nullptr, &kMidVectorMinimax}};
+constexpr NormalMethod kNormalMethods[] = {{"fast-normalize", &kInverseLengthPaper, nullptr},
+                                           {"fast-normalize:fit=minimax", &kInverseLengthMinimax, nullptr},
+                                           {"fast-normalize:fit=cubic", &kInverseLengthCubic, nullptr},
+                                           {"barycentric", nullptr, &kMidVectorPaper},
+                                           {"barycentric:fit=minimax", nullptr, &kMidVectorMinimax}};
 
-// Triangles over each other whose corners lie on the grid of 1/256 pixel of pixel_camera(kSide); the normals
-// of each lie in a cone of up to `spread` times 90 degrees.
-Mesh random_triangles(Random& random, int count, double size, double spread) {
-  Mesh mesh;
-  std::vector<Vec3f> positions, normals;
-  std::vector<std::uint32_t> indices;
-  const auto snapped = [&](double v) { return static_cast<float>(std::round(v * 256) / 256); };
-  for (int t = 0; t < count; ++t) {
-    const double x = uniform(random, -kSide / 2, kSide / 2), y = uniform(random, -kSide / 2, kSide / 2);
-    const Vec3d axis = random_direction(random);
-    const double cone = spread * uniform(random, 0, 1);
-    for (int k = 0; k < 3; ++k) {
-      positions.push_back({snapped(x + uniform(random, -size, size)),
-                           snapped(y + uniform(random, -size, size)),
-                           static_cast<float>(uniform(random, -0.9, 0.9))});
-      normals.push_back(to_float(normalize(axis + random_direction(random) * cone)));
-      indices.push_back(static_cast<std::uint32_t>(indices.size()));
-    }
-  }
-  mesh.positions.assign(positions.begin(), positions.end());
-  mesh.normals.assign(normals.begin(), normals.end());
-  mesh.indices.assign(indices.begin(), indices.end());
-  return mesh;
-}
-
-Vec3d reference_normal(const Shading& shading, const Mesh& mesh, std::uint32_t triangle, double x, double y) {
+Vec3d reference_normal(const NormalMethod& shading, const Mesh& mesh, std::uint32_t triangle, double x,
+                       double y) {
   Vec2<double> corner[3];
   Vec3d normal[3];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -69,27 +45,18 @@ Vec3d reference_normal(const Shading& shading, const Mesh& mesh, std::uint32_t t
   return reference::six_point_normal(*shading.mid_vector, normal, c.x, c.y);
 }
 
-// One white light, a normal that is not quite unit, the viewer at +z.
-double lit(Vec3d n, Vec3d light, double shininess) {
-  if (n.z < 0) n = -n;
-  const double n_l = dot(n, light);
-  if (n_l <= 0) return 0;
-  const double n_h = (n_l + n.z) / std::sqrt(2 + 2 * light.z);
-  return 0.5 * n_l + 0.4 * std::pow(std::clamp(n_h, 0.0, 1.0), shininess);
-}
-
 struct Followed {
   long pixels = 0, wrong = 0;
   double worst = 0;
 };
 
-void follow(const Shading& shading, const Mesh& mesh, const Frame& frame, Vec3d light, Followed& found) {
-  for (int row = 0; row < kSide; ++row) {
-    for (int column = 0; column < kSide; ++column) {
-      const auto i = static_cast<std::size_t>(row * kSide + column);
+void follow(const NormalMethod& shading, const Mesh& mesh, const Frame& frame, Vec3d light, Followed& found) {
+  for (int row = 0; row < kNormalsSide; ++row) {
+    for (int column = 0; column < kNormalsSide; ++column) {
+      const auto i = static_cast<std::size_t>(row * kNormalsSide + column);
       if (frame.id[i] == 0) continue;
-      const Vec3d n =
-          reference_normal(shading, mesh, frame.id[i] - 1, column + 0.5 - kSide / 2, kSide / 2 - (row + 0.5));
+      const Vec3d n = reference_normal(shading, mesh, frame.id[i] - 1, column + 0.5 - kNormalsSide / 2,
+                                       kNormalsSide / 2 - (row + 0.5));
       if (std::abs(n.z) < 1e-3) continue;  // which side faces the viewer is open
       const double expected = 255 * std::min(1.0, lit(n, light, 12));
       const double error = std::abs((frame.image.pixels[i] & 255) - expected);
@@ -110,8 +77,8 @@ TEST(normal_methods, kernels_follow_the_reference_forms) {
   material.double_sided = true;
   RenderOptions o;
   o.antialias = "none";
-  o.width = o.height = kSide;
-  o.camera = pixel_camera(kSide);
+  o.width = o.height = kNormalsSide;
+  o.camera = pixel_camera(kNormalsSide);
   o.ambient = 0;
   o.transfer = Transfer::none;
   o.want_id = true;
@@ -119,19 +86,20 @@ TEST(normal_methods, kernels_follow_the_reference_forms) {
   light.vector = {2, 3, 6};
   light.color = {1, 1, 1};
   o.lights = {light};
-  Followed found[std::size(kShadings)];
+  Followed found[std::size(kNormalMethods)];
   for (int round = 0; found[0].pixels < 1000000; ++round) {
     const double size = round % 2 == 0 ? 6 : 70, spreads[] = {0.2, 0.7, 1.5};
-    const Mesh mesh = random_triangles(random, size < 10 ? 1500 : 60, size, spreads[round % 3]);
+    const Mesh mesh =
+        random_triangles(random, {kNormalsSide, size < 10 ? 1500 : 60, size, spreads[round % 3]});
     o.interpolation = round / 6 % 2 == 0 ? Interpolation::perspective : Interpolation::screen;
-    for (std::size_t i = 0; i < std::size(kShadings); ++i) {
-      o.shading = kShadings[i].name;
-      follow(kShadings[i], mesh, render_frame(scene_of(mesh, material), o), normalize(light.vector),
+    for (std::size_t i = 0; i < std::size(kNormalMethods); ++i) {
+      o.shading = kNormalMethods[i].name;
+      follow(kNormalMethods[i], mesh, render_frame(scene_of(mesh, material), o), normalize(light.vector),
              found[i]);
     }
   }
-  for (std::size_t i = 0; i < std::size(kShadings); ++i) {
-    SCOPED_TRACE(kShadings[i].name);
+  for (std::size_t i = 0; i < std::size(kNormalMethods); ++i) {
+    SCOPED_TRACE(kNormalMethods[i].name);
     EXPECT_LE(found[i].wrong, found[i].pixels / 1000);
     EXPECT_LT(found[i].worst, 0.6);  // a needle's coordinates have few digits
   }
@@ -154,9 +122,9 @@ RenderOptions sphere_options() {
 // on flat faces dims or brightens a highlight by its power, by 6 % and 35 %, however fine the mesh.
 struct SphereErrors {
   float shininess;
-  double nmse[std::size(kShadings)][4];  // in the order of kShadings, by detail
+  double nmse[std::size(kNormalMethods)][4];  // in the order of kNormalMethods, by detail
 };
-constexpr int kDetails[] = {10, 25, 50, 100};
+constexpr int kSphereDetails[] = {10, 25, 50, 100};
 constexpr SphereErrors kSphereErrors[] = {{20,
                                            {{2.816e-5, 1.648e-4, 2.061e-4, 2.173e-4},
                                             {3.104e-5, 1.874e-4, 2.349e-4, 2.473e-4},
@@ -172,27 +140,23 @@ constexpr SphereErrors kSphereErrors[] = {{20,
 
 TEST(normal_methods, spheres_look_like_phong) {
   for (const SphereErrors& errors : kSphereErrors) {
-    for (std::size_t d = 0; d < std::size(kDetails); ++d) {
-      Scene scene = std::move(*make_shape("sphere?detail=" + std::to_string(kDetails[d])));
+    for (std::size_t d = 0; d < std::size(kSphereDetails); ++d) {
+      Scene scene = std::move(*make_shape("sphere?detail=" + std::to_string(kSphereDetails[d])));
       Material& m = scene.materials.at(0);
       m.color = {0.5f, 0.4f, 0.3f};
       m.specular = {0.4f, 0.4f, 0.4f};
       m.shininess = errors.shininess;
       RenderOptions o = sphere_options();
       const Frame phong = render_frame(scene, o);
-      for (std::size_t i = 0; i < std::size(kShadings); ++i) {
-        o.shading = kShadings[i].name;
+      for (std::size_t i = 0; i < std::size(kNormalMethods); ++i) {
+        o.shading = kNormalMethods[i].name;
         const double nmse = compare(phong.image, render_frame(scene, o).image)->nmse;
         EXPECT_NEAR(nmse, errors.nmse[i][d], 0.05 * errors.nmse[i][d])
-            << kShadings[i].name << ", detail " << kDetails[d] << ", shininess " << errors.shininess;
+            << kNormalMethods[i].name << ", detail " << kSphereDetails[d] << ", shininess "
+            << errors.shininess;
       }
     }
   }
-}
-
-bool same(const Image& a, const Image& b) {
-  return a.pixels.size() == b.pixels.size() &&
-         std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(std::uint32_t)) == 0;
 }
 
 // Spans, gathered pixels, clipped and unclipped company, faces without normals, colours.
@@ -201,35 +165,25 @@ TEST(normal_methods, instruction_sets_and_company_do_not_show) {
   for (const char* shape : shapes) {
     Scene scene = std::move(*make_shape(shape));
     if (std::strcmp(shape, "cube") == 0) scene.meshes.at(0).normals.clear();
-    // The same triangles in another order: other runs, other lanes.
-    Scene turned = scene;
-    for (Mesh& mesh : turned.meshes) {
-      for (std::size_t a = 0, b = mesh.triangles() - 1; a < b; ++a, --b) {
-        for (std::size_t k = 0; k < 3; ++k) std::swap(mesh.indices[3 * a + k], mesh.indices[3 * b + k]);
-      }
-    }
+    const Scene opposite = turned(scene);
     for (const Interpolation interpolation : {Interpolation::perspective, Interpolation::screen}) {
       for (const double height : {0.0, 2.0}) {
-        for (const Shading& shading : kShadings) {
+        for (const NormalMethod& shading : kNormalMethods) {
           SCOPED_TRACE(std::string(shape) + ", " + shading.name);
           RenderOptions o;
           o.antialias = "none";
-          o.width = 231;
-          o.height = 150;
+          o.width = 165;
+          o.height = 107;
           o.shading = shading.name;
           o.interpolation = interpolation;
           o.cull = Cull::none;
-          o.camera = Camera{};
-          o.camera->eye = {0.1, 0.5, 0.6};
-          o.camera->target = {0, 0, -1};
-          o.camera->fov_deg = 80;
-          o.camera->height = height;
-          const Frame expected = render_frame(scene, o, available_isas().front());
+          o.camera = camera_inside(height);
+          const Frame expected = render_frame(scene, o);
           EXPECT_GT(expected.statistics.pixels_covered, 500u);
           for (const Isa isa : available_isas()) {
             EXPECT_TRUE(same(expected.image, render_frame(scene, o, isa).image)) << isa_name(isa);
           }
-          EXPECT_TRUE(same(expected.image, render_frame(turned, o).image));
+          EXPECT_TRUE(same(expected.image, render_frame(opposite, o).image));
         }
       }
     }
@@ -239,22 +193,19 @@ TEST(normal_methods, instruction_sets_and_company_do_not_show) {
 // Opposite normals, normals of length 0, needles: a colour like any other, and no pixel far from Phong
 // shading's side.
 TEST(normal_methods, hard_triangles) {
-  Mesh mesh = mesh_of({{-90, -90, 0}, {90, -90, 0}, {0, 90, 0}, {-90, 95, 0}, {95, -90, 0}, {95, -89.99f, 0}},
-                      {0, 1, 2, 3, 4, 5});
-  const std::vector<Vec3f> normals = {{0, 0, 1}, {0, 0, -1}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-  mesh.normals.assign(normals.begin(), normals.end());
+  const Mesh mesh = hard_triangles();
   RenderOptions o;
   o.antialias = "none";
-  o.width = o.height = kSide;
-  o.camera = pixel_camera(kSide);
+  o.width = o.height = kNormalsSide;
+  o.camera = pixel_camera(kNormalsSide);
   o.transfer = Transfer::none;
   o.want_id = true;
-  for (const Shading& shading : kShadings) {
+  for (const NormalMethod& shading : kNormalMethods) {
     for (const Interpolation interpolation : {Interpolation::perspective, Interpolation::screen}) {
       SCOPED_TRACE(shading.name);
       o.interpolation = interpolation;
       o.shading = shading.name;
-      const Frame expected = render_frame(scene_of(mesh), o, available_isas().front());
+      const Frame expected = render_frame(scene_of(mesh), o);
       int dark = 0, covered = 0;
       for (std::size_t i = 0; i < expected.id.size(); ++i) {
         if (expected.id[i] == 0) continue;

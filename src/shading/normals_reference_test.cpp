@@ -6,14 +6,10 @@
 
 #include <cmath>
 
+#include "shading/testing.h"
+
 namespace blysk::reference {
 namespace {
-
-void expect_near(Vec3d a, Vec3d b, double tolerance = 1e-8) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
-}
 
 TEST(normals_reference, linear_normals) {
   const LinearNormals a =
@@ -48,13 +44,13 @@ TEST(normals_reference, normalize_fast) {
 }
 
 // Largest and last relative error of a polynomial over its range.
-struct Errors {
+struct LengthErrors {
   double largest, at, low_end, flat;
 };
-Errors errors_of(const InverseLength& polynomial) {
+LengthErrors length_errors(const InverseLength& polynomial) {
   constexpr int kSteps = 1000000;
   const auto error = [&](double k) { return inverse_length(polynomial, k) * std::sqrt(k) - 1; };
-  Errors e = {0, 0, error(polynomial.lowest), error(1)};
+  LengthErrors e = {0, 0, error(polynomial.lowest), error(1)};
   for (int i = 0; i <= kSteps; ++i) {
     const double k = polynomial.lowest + (1 - polynomial.lowest) * i / kSteps;
     if (std::abs(error(k)) > e.largest) e = {std::abs(error(k)), k, e.low_end, e.flat};
@@ -63,19 +59,19 @@ Errors errors_of(const InverseLength& polynomial) {
 }
 
 TEST(normals_reference, errors_of_inverse_lengths) {
-  const Errors paper = errors_of(kInverseLengthPaper);
+  const LengthErrors paper = length_errors(kInverseLengthPaper);
   EXPECT_NEAR(100 * paper.largest, 0.3509, 0.00005);
   EXPECT_NEAR(paper.at, 0.62128, 0.00001);
   EXPECT_NEAR(100 * paper.low_end, -0.3465, 0.00005);
   EXPECT_NEAR(100 * paper.flat, 0.3, 0.00005);
-  const Errors minimax = errors_of(kInverseLengthMinimax);
+  const LengthErrors minimax = length_errors(kInverseLengthMinimax);
   EXPECT_NEAR(100 * minimax.largest, 0.3215, 0.00005);
   EXPECT_NEAR(100 * minimax.flat, 0.3215, 0.00005);
-  const Errors cubic = errors_of(kInverseLengthCubic);
+  const LengthErrors cubic = length_errors(kInverseLengthCubic);
   EXPECT_NEAR(100 * cubic.largest, 0.0544, 0.00005);
   EXPECT_EQ(cubic.flat, 0);
   for (const InverseLength* p : {&kInverseLengthPaper, &kInverseLengthMinimax, &kInverseLengthCubic}) {
-    EXPECT_NEAR(errors_of(*p).largest, p->error, 0.000001);
+    EXPECT_NEAR(length_errors(*p).largest, p->error, 0.000001);
     EXPECT_LT(std::abs(inverse_length(*p, kLargestSquare) * std::sqrt(kLargestSquare) - 1), p->error + 0.001);
   }
 }

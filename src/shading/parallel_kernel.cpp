@@ -16,9 +16,10 @@ namespace {
 
 enum class Fit { row, paper, quadratic, cubic, weights };
 
+BLYSK_INLINE Fit fit_of(const ShadeJob& job) { return static_cast<Fit>(job.settings[0]); }
+
+// Whole rows.
 struct Row {
-  template <class F>
-  using Triangle = MixedNormals<F>;
   template <class F>
   struct Span {
     NormalRow<F> row;
@@ -31,18 +32,11 @@ struct Row {
   };
 
   template <class F>
-  static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
-    return fetch_mixed_normals<F>(job, index, kShortestArc);
-  }
-
-  template <class F>
-  static BLYSK_INLINE Span<F> set_up_span(const ShadeJob& job, const Triangle<F>& t, F y) {
-    Span<F> s;
-    s.row = normal_row(t, y);
+  static BLYSK_INLINE void set_up(const ShadeJob& job, const MixedNormals<F>& t, F y, Span<F>& s) {
     const F length = s.row.last - s.row.first;
     s.own = length < F(static_cast<float>((kShortestArc - 1) * kSubpixels));
     s.acute = true;
-    if (all(s.own)) return s;
+    if (all(s.own)) return;
     s.scale = F(2.0f) / max(length, F(static_cast<float>(kSubpixels)));
     s.first_normal = unit_normal_at(job, t, s.row, s.row.first, y);
     s.last_normal = unit_normal_at(job, t, s.row, s.row.last, y);
@@ -50,11 +44,11 @@ struct Row {
     s.own = s.own | (s.d < F(static_cast<float>(kLowestArc)));
     s.acute = !any(s.d < F(0.0f));
     s.arc = arc_between(s.first_normal, s.last_normal, s.d);
-    return s;
   }
 
   template <class F, class P, class Y>
-  static BLYSK_INLINE V3<P> normal_at(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s, P x, Y y) {
+  static BLYSK_INLINE V3<P> normal_at(const ShadeJob& job, const MixedNormals<F>& t, const Span<F>& s, P x,
+                                      Y y) {
     if (all(s.own)) return unit_normal_at(job, t, s.row, x, y);
     const P one(1.0f);
     const P place = min(max((x - P(s.row.first)) * P(s.scale) - one, P(-1.0f)), one);
@@ -65,12 +59,6 @@ struct Row {
     }
     if (any(s.own)) n = choose(s.own, unit_normal_at(job, t, s.row, x, y), n);
     return n;
-  }
-
-  template <class F, class P, class Y>
-  static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s, P x, Y y,
-                                   P nearness) {
-    return light_unit(job, t.corners, normal_at(job, t, s, x, y), x, y, nearness);
   }
 };
 
@@ -140,27 +128,13 @@ BLYSK_INLINE V3<P> at_place(Fit fit, const V3<P>& a, const V3<P>& b, const Place
   return at_place<kRowWeightsCubic>(a, b, at);
 }
 
+// Rows of nine pixels.
 struct Nines {
-  template <class F>
-  using Triangle = MixedNormals<F>;
-  template <class F>
-  using Span = NormalRow<F>;
-
-  template <class F>
-  static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
-    return fetch_mixed_normals<F>(job, index, 1);
-  }
-
-  template <class F>
-  static BLYSK_INLINE Span<F> set_up_span(const ShadeJob&, const Triangle<F>& t, F y) {
-    return normal_row(t, y);
-  }
-
   // Pixels have their own normals where the ends say nothing of what is between them: nearly opposite, or of
   // a triangle whose rows are not known.
   template <class F, class P, class Y>
-  static __attribute__((noinline)) void normal_at(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s,
-                                                  P x, Y y, V3<P>& n) {
+  static __attribute__((noinline)) void normal_at(const ShadeJob& job, const MixedNormals<F>& t,
+                                                  const NormalRow<F>& s, P x, Y y, V3<P>& n) {
     using I = Integer<P>;
     const P pixel(static_cast<float>(kSubpixels)), per_pixel(1.0f / kSubpixels);
     const I last = truncate((P(s.last) - P(s.first)) * per_pixel);
@@ -171,7 +145,7 @@ struct Nines {
     const V3<P> b = unit_normal_at(job, t, s, x0 + to_float(steps) * pixel, y);
     const P d = min(dot(a, b), P(select(t.narrow, F(-1.0f), F(1.0f))));
     const I k = column - start;
-    n = at_place(static_cast<Fit>(job.settings[0]), a, b, Place9<P>{d, k});
+    n = at_place(fit_of(job), a, b, Place9<P>{d, k});
     const auto other = (steps < I(8)) | (d < P(0.0f));
     if (any(other)) {
       const P place = to_float(k + k) / max(to_float(steps), P(1.0f)) - P(1.0f);
@@ -180,21 +154,42 @@ struct Nines {
       if (any(own)) n = choose(own, unit_normal_at(job, t, s, x, y), n);
     }
   }
+};
+
+struct Parallel {
+  template <class F>
+  using Triangle = MixedNormals<F>;
+  template <class F>
+  using Span = Row::Span<F>;
+
+  template <class F>
+  static BLYSK_INLINE Triangle<F> set_up_triangle(const ShadeJob& job, Integer<F> index) {
+    return fetch_mixed_normals<F>(job, index, fit_of(job) == Fit::row ? kShortestArc : 1);
+  }
+
+  template <class F>
+  static BLYSK_INLINE Span<F> set_up_span(const ShadeJob& job, const Triangle<F>& t, F y) {
+    Span<F> s;
+    s.row = normal_row(t, y);
+    if (fit_of(job) == Fit::row) Row::set_up(job, t, y, s);
+    return s;
+  }
 
   template <class F, class P, class Y>
   static BLYSK_INLINE Rgb<P> shade(const ShadeJob& job, const Triangle<F>& t, const Span<F>& s, P x, Y y,
                                    P nearness) {
     V3<P> n;
-    normal_at(job, t, s, x, y, n);
+    if (fit_of(job) == Fit::row) {
+      n = Row::normal_at(job, t, s, x, y);
+    } else {
+      Nines::normal_at(job, t, s.row, x, y, n);
+    }
     return light_unit(job, t.corners, n, x, y, nearness);
   }
 };
 
 }  // namespace
 
-void shade_parallel(const ShadeJob& job) {
-  if (static_cast<Fit>(job.settings[0]) == Fit::row) return shade_draw<Row, ColorSink>(job);
-  shade_draw<Nines, ColorSink>(job);
-}
+void shade_parallel(const ShadeJob& job) { shade_draw<Parallel, ColorSink>(job); }
 
 }  // namespace blysk::BLYSK_ISA

@@ -424,11 +424,12 @@ struct RandomRow {
     const Vec3d middle = normalize(from + to);
     return from + (to - from) * t + (middle * 4 - (from + to) * 2) * (t * (1 - t));
   }
-  template <class Law>
-  [[nodiscard]] double cosine(const typename Law::template Turn<float>& turn) const {
+  template <class Law, class... Root>
+  [[nodiscard]] double cosine(const typename Law::template Turn<float>& turn, Root... root) const {
     const auto along = Law::dot_along(turn, lane(na), lane(nb), path());
     const float t = static_cast<float>(x) / static_cast<float>(m);
-    return double(Law::cosine(along, Law::point(turn, isa_test::RowPoint<float>{t, t - t * t}), far));
+    return double(
+        Law::cosine(along, Law::point(root..., turn, isa_test::RowPoint<float>{t, t - t * t}), far));
   }
 };
 
@@ -448,8 +449,7 @@ TEST(symmetric_row, follows_the_reference_form) {
     const auto& r = rows[i % 5];
     const V3<float> difference = isa_test::minus(lane(row.nb), lane(row.na));
     const auto turn = isa_test::root_terms(r.root, isa_test::dot(difference, difference));
-    const double found = r.root == RowRoot::exact ? row.cosine<SymmetricRow<true>>(turn)
-                                                  : row.cosine<SymmetricRow<false>>(turn);
+    const double found = row.cosine<SymmetricRow>(turn, r.root);
     const Vec3d direction = row.direction(row.x / row.m);
     const reference::SymmetricRow exact(row.na, row.nb, direction, row.m);
     const double lowest = std::min(-1e-12, (dot(row.na, row.nb) - 1) / 2), m = exact.square(row.x);
@@ -468,7 +468,7 @@ TEST(symmetric_row, is_symmetric) {
     const auto turn = isa_test::root_terms(RowRoot::minimax, c);
     const float t = static_cast<float>(whole(random, 0, 64)) / 64;
     const auto root = [&](float at) {
-      return SymmetricRow<false>::point(turn, isa_test::RowPoint<float>{at, at - at * at}).root;
+      return SymmetricRow::point(RowRoot::minimax, turn, isa_test::RowPoint<float>{at, at - at * at}).root;
     };
     EXPECT_EQ(root(t), root(1 - t));
   }

@@ -296,7 +296,7 @@ struct RowMethod {
       along = along + P(span.hurry) * z;
       z = along - along * along;
     }
-    const auto point = Law::point(span.turn, RowPoint<P>{along, z});
+    const auto point = Law::point(job, span.turn, RowPoint<P>{along, z});
     const Surface& s = job.draw->surface;
     const bool far_viewer = job.rays->orthographic;
     P n_v(0.0f);

@@ -11,14 +11,14 @@
 #include "blysk/metrics.h"
 #include "blysk/shapes.h"
 #include "raster/coverage_reference.h"
-#include "render/testing.h"
 #include "shading/normals_reference.h"
 #include "shading/row_normals_reference.h"
+#include "shading/testing.h"
 
 namespace blysk {
 namespace {
 
-constexpr int kSide = 480;
+constexpr int kRowsSide = 480;
 
 // A row of a triangle: its normal at any column, not unit, and its covered columns.
 struct RowOfNormals {
@@ -67,12 +67,12 @@ Vec3d dichotomy(const RowOfNormals& row, int column) {
   return dot(a, b) < kLowestArc ? row.unit(column) : reference::between(kForm, a, b);
 }
 
-struct Shading {
+struct RowMethod {
   const char* name;
   Vec3d (*normal)(const RowOfNormals&, int column);
   double sphere;  // largest NMSE to Phong shading, of spheres of any detail
 };
-constexpr Shading kShadings[] = {
+constexpr RowMethod kRowMethods[] = {
     {"parallel", whole_row, 1e-5},
     {"parallel:fit=paper", chebyshev<kChebyshevPaper>, 3e-3},
     {"parallel:fit=quadratic", chebyshev<kChebyshevQuadratic>, 1e-5},
@@ -84,31 +84,6 @@ constexpr Shading kShadings[] = {
     {"dichotomy:form=half-sum", dichotomy<reference::Between::half_sum>, 1e-4},
 };
 
-// Triangles over each other whose corners lie on the grid of 1/256 pixel of pixel_camera(kSide); normals of
-// any length, those of each triangle in a cone of up to `spread` times 90 degrees.
-Mesh random_triangles(Random& random, int count, double size, double spread) {
-  Mesh mesh;
-  std::vector<Vec3f> positions, normals;
-  std::vector<std::uint32_t> indices;
-  const auto snapped = [](double v) { return static_cast<float>(std::round(v * 256) / 256); };
-  for (int t = 0; t < count; ++t) {
-    const double x = uniform(random, -kSide / 2, kSide / 2), y = uniform(random, -kSide / 2, kSide / 2);
-    const Vec3d axis = random_direction(random);
-    const double cone = spread * uniform(random, 0, 1), scale = uniform(random, 0.5, 2);
-    for (int k = 0; k < 3; ++k) {
-      const float px = snapped(x + uniform(random, -size, size)),
-                  py = snapped(y + uniform(random, -size, size));
-      positions.push_back({px, py, static_cast<float>(uniform(random, -0.9, 0.9))});
-      normals.push_back(to_float(normalize(axis + random_direction(random) * cone) * scale));
-      indices.push_back(static_cast<std::uint32_t>(indices.size()));
-    }
-  }
-  mesh.positions.assign(positions.begin(), positions.end());
-  mesh.normals.assign(normals.begin(), normals.end());
-  mesh.indices.assign(indices.begin(), indices.end());
-  return mesh;
-}
-
 // Of a pixel that the triangle covers.
 RowOfNormals row_of(const Mesh& mesh, std::uint32_t triangle, int column, int row) {
   Vec2<double> corner[3];
@@ -117,7 +92,7 @@ RowOfNormals row_of(const Mesh& mesh, std::uint32_t triangle, int column, int ro
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t vertex = mesh.indices[3 * std::size_t{triangle} + k];
     const Vec3d p = to_double(mesh.positions[vertex]);
-    corner[k] = {p.x + kSide / 2, kSide / 2 - p.y};
+    corner[k] = {p.x + kRowsSide / 2, kRowsSide / 2 - p.y};
     t.corner[k] = {std::llrint(corner[k].x * 256), std::llrint(corner[k].y * 256), 0};
     normal[k] = to_double(mesh.normals[vertex]);
   }
@@ -129,15 +104,6 @@ RowOfNormals row_of(const Mesh& mesh, std::uint32_t triangle, int column, int ro
   return r;
 }
 
-// One white light, a normal that is not quite unit, the viewer at +z.
-double lit(Vec3d n, Vec3d light, double shininess) {
-  if (n.z < 0) n = -n;
-  const double n_l = dot(n, light);
-  if (n_l <= 0) return 0;
-  const double n_h = (n_l + n.z) / std::sqrt(2 + 2 * light.z);
-  return 0.5 * n_l + 0.4 * std::pow(std::clamp(n_h, 0.0, 1.0), shininess);
-}
-
 // More than a million pixels of each method.
 TEST(row_methods, kernels_follow_the_reference_forms) {
   Random random(37);
@@ -145,7 +111,8 @@ TEST(row_methods, kernels_follow_the_reference_forms) {
   std::map<std::string, long> pixels;
   for (const double size : {7.0, 30.0, 120.0}) {
     for (const double spread : {0.2, 0.7, 3.0}) {
-      const Mesh mesh = random_triangles(random, size < 10 ? 8000 : size < 100 ? 900 : 90, size, spread);
+      const int triangles = size < 10 ? 8000 : size < 100 ? 900 : 90;
+      const Mesh mesh = random_triangles(random, {kRowsSide, triangles, size, spread, 0.5, 2});
       Material material;
       material.color = {0.5f, 0.5f, 0.5f};
       material.specular = {0.4f, 0.4f, 0.4f};
@@ -153,8 +120,8 @@ TEST(row_methods, kernels_follow_the_reference_forms) {
       material.double_sided = true;
       RenderOptions o;
       o.antialias = "none";
-      o.width = o.height = kSide;
-      o.camera = pixel_camera(kSide);
+      o.width = o.height = kRowsSide;
+      o.camera = pixel_camera(kRowsSide);
       o.ambient = 0;
       o.transfer = Transfer::none;
       o.want_id = true;
@@ -164,16 +131,16 @@ TEST(row_methods, kernels_follow_the_reference_forms) {
       o.lights = {light};
       const Scene scene = scene_of(mesh, material);
       std::map<std::pair<std::uint32_t, int>, RowOfNormals> rows;
-      for (const Shading& shading : kShadings) {
+      for (const RowMethod& shading : kRowMethods) {
         SCOPED_TRACE(std::string(shading.name) + ", size " + std::to_string(size) + ", spread " +
                      std::to_string(spread));
         o.shading = shading.name;
         const Frame frame = render_frame(scene, o);
         double worst = 0;
         long count = 0, wrong = 0;
-        for (int y = 0; y < kSide; ++y) {
-          for (int x = 0; x < kSide; ++x) {
-            const auto i = static_cast<std::size_t>(y * kSide + x);
+        for (int y = 0; y < kRowsSide; ++y) {
+          for (int x = 0; x < kRowsSide; ++x) {
+            const auto i = static_cast<std::size_t>(y * kRowsSide + x);
             if (frame.id[i] == 0) continue;
             const std::uint32_t triangle = frame.id[i] - 1;
             auto row = rows.find({triangle, y});
@@ -218,7 +185,7 @@ TEST(row_methods, spheres_look_like_phong) {
       o.lights = {light};
       o.transfer = Transfer::none;
       const Frame phong = render_frame(scene, o);
-      for (const Shading& shading : kShadings) {
+      for (const RowMethod& shading : kRowMethods) {
         SCOPED_TRACE(std::string(shading.name) + ", detail " + std::to_string(detail) + ", shininess " +
                      std::to_string(shininess));
         o.shading = shading.name;
@@ -232,11 +199,6 @@ TEST(row_methods, spheres_look_like_phong) {
   }
 }
 
-bool same(const Image& a, const Image& b) {
-  return a.pixels.size() == b.pixels.size() &&
-         std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(std::uint32_t)) == 0;
-}
-
 // Spans, gathered pixels, clipped and unclipped company, tiles, faces without normals, colours, point lights.
 TEST(row_methods, instruction_sets_and_company_do_not_show) {
   const char* const shapes[] = {"teapot?detail=5", "terrain?detail=60", "triangles?count=400&size=1", "cube",
@@ -244,21 +206,15 @@ TEST(row_methods, instruction_sets_and_company_do_not_show) {
   for (const char* shape : shapes) {
     Scene scene = std::move(*make_shape(shape));
     if (std::strcmp(shape, "cube") == 0) scene.meshes.at(0).normals.clear();
-    // The same triangles in another order: other runs, other lanes.
-    Scene turned = scene;
-    for (Mesh& mesh : turned.meshes) {
-      for (std::size_t a = 0, b = mesh.triangles() - 1; a < b; ++a, --b) {
-        for (std::size_t k = 0; k < 3; ++k) std::swap(mesh.indices[3 * a + k], mesh.indices[3 * b + k]);
-      }
-    }
+    const Scene opposite = turned(scene);
     for (const Interpolation interpolation : {Interpolation::perspective, Interpolation::screen}) {
       for (const double height : {0.0, 2.0}) {
-        for (const Shading& shading : kShadings) {
+        for (const RowMethod& shading : kRowMethods) {
           SCOPED_TRACE(std::string(shape) + ", " + shading.name);
           RenderOptions o;
           o.antialias = "none";
-          o.width = 231;
-          o.height = 150;
+          o.width = 165;
+          o.height = 107;
           o.shading = shading.name;
           o.interpolation = interpolation;
           o.cull = Cull::none;
@@ -267,17 +223,13 @@ TEST(row_methods, instruction_sets_and_company_do_not_show) {
           light.vector = {0.4, 0.8, 0.3};
           light.color = {0.6f, 0.6f, 0.6f};
           o.lights = {light, Light{}};
-          o.camera = Camera{};
-          o.camera->eye = {0.1, 0.5, 0.6};
-          o.camera->target = {0, 0, -1};
-          o.camera->fov_deg = 80;
-          o.camera->height = height;
-          const Frame expected = render_frame(scene, o, available_isas().front());
+          o.camera = camera_inside(height);
+          const Frame expected = render_frame(scene, o);
           EXPECT_GT(expected.statistics.pixels_covered, 500u);
           for (const Isa isa : available_isas()) {
             EXPECT_TRUE(same(expected.image, render_frame(scene, o, isa).image)) << isa_name(isa);
           }
-          EXPECT_TRUE(same(expected.image, render_frame(turned, o).image));
+          EXPECT_TRUE(same(expected.image, render_frame(opposite, o).image));
         }
       }
     }
@@ -286,20 +238,17 @@ TEST(row_methods, instruction_sets_and_company_do_not_show) {
 
 // Opposite normals, normals of length 0, needles: a colour like any other.
 TEST(row_methods, hard_triangles) {
-  Mesh mesh = mesh_of({{-90, -90, 0}, {90, -90, 0}, {0, 90, 0}, {-90, 95, 0}, {95, -90, 0}, {95, -89.99f, 0}},
-                      {0, 1, 2, 3, 4, 5});
-  const std::vector<Vec3f> normals = {{0, 0, 1}, {0, 0, -1}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-  mesh.normals.assign(normals.begin(), normals.end());
+  const Mesh mesh = hard_triangles();
   RenderOptions o;
   o.antialias = "none";
   o.width = o.height = 200;
   o.camera = pixel_camera(200);
   o.transfer = Transfer::none;
   o.want_id = true;
-  for (const Shading& shading : kShadings) {
+  for (const RowMethod& shading : kRowMethods) {
     SCOPED_TRACE(shading.name);
     o.shading = shading.name;
-    const Frame expected = render_frame(scene_of(mesh), o, available_isas().front());
+    const Frame expected = render_frame(scene_of(mesh), o);
     int dark = 0, covered = 0;
     for (std::size_t i = 0; i < expected.id.size(); ++i) {
       if (expected.id[i] == 0) continue;

@@ -7,17 +7,12 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "shading/testing.h"
 
 namespace blysk::reference {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-
-void expect_near(Vec3d a, Vec3d b, double tolerance = 6e-10) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
-}
 
 // d, c, (14), g, (11) at the exact c, U_1 .. U_7.
 struct StepRow {
@@ -151,7 +146,7 @@ TEST(row_normals_reference, rows_of_nine) {
 }
 
 // Largest errors over rows whose ends have d in [low, 1]: length, angle in degrees, vector.
-struct Errors {
+struct RowErrors {
   double length = 0, angle = 0, vector = 0;
 
   void take(Vec3d found, Vec3d exact) {
@@ -163,8 +158,8 @@ struct Errors {
 };
 
 template <class Make>
-Errors errors_of(Make make, double low) {
-  Errors e;
+RowErrors errors_of(Make make, double low) {
+  RowErrors e;
   for (int i = 0; i <= 4000; ++i) {
     const double d = low + (1 - low) * i / 4000;
     const Vec3d a = {1, 0, 0}, b = {d, std::sqrt(1 - d * d), 0};
@@ -180,7 +175,7 @@ TEST(row_normals_reference, errors_of_rows_of_nine) {
   const auto cubic = [](Vec3d a, Vec3d b) { return chebyshev_row(kChebyshevCubic, a, b); };
   const auto direct = [](Vec3d a, Vec3d b) { return weighted_row(kRowWeightsCubic, a, b); };
   const auto quartic = [](Vec3d a, Vec3d b) { return weighted_row(kRowWeightsQuartic, a, b); };
-  Errors e = errors_of(paper, 0);
+  RowErrors e = errors_of(paper, 0);
   EXPECT_NEAR(e.length, 0.0256, 0.00006);
   EXPECT_NEAR(e.angle, 0.96, 0.006);
   EXPECT_NEAR(e.vector, 0.0266, 0.00006);
@@ -230,7 +225,7 @@ TEST(row_normals_reference, errors_of_rows_of_any_length) {
 
 TEST(row_normals_reference, errors_of_arcs) {
   const auto errors = [](double low, double high) {
-    Errors e;
+    RowErrors e;
     for (int i = 0; i <= 1000; ++i) {
       const double d = low + (high - low) * i / 1000;
       const Vec3d a = {1, 0, 0}, b = {d, std::sqrt(1 - d * d), 0};
@@ -238,7 +233,7 @@ TEST(row_normals_reference, errors_of_arcs) {
     }
     return e;
   };
-  const Errors all = errors(0, 1);
+  const RowErrors all = errors(0, 1);
   EXPECT_LT(all.length, 1.7e-4);
   EXPECT_LT(all.vector, 1.7e-4);
   EXPECT_LT(errors(0.9, 1).vector, 2.7e-5);

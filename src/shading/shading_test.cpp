@@ -11,7 +11,7 @@
 namespace blysk {
 namespace {
 
-constexpr int kWidth = 96, kHeight = 72;
+constexpr int kTrialWidth = 96, kTrialHeight = 72;
 
 // A few triangles around the origin, what lights them, and a camera that looks at them.
 struct Trial {
@@ -65,8 +65,8 @@ Trial random_trial(Random& random, Where where = Where::outside) {
   t.scene.add(std::move(mesh), m);
 
   RenderOptions& o = t.options;
-  o.width = kWidth;
-  o.height = kHeight;
+  o.width = kTrialWidth;
+  o.height = kTrialHeight;
   o.ambient = random.unit() * 0.4f;
   o.transfer = Transfer::none;
   o.cull = Cull::none;
@@ -92,7 +92,7 @@ Trial random_trial(Random& random, Where where = Where::outside) {
   o.camera = camera;
   o.interpolation = whole(random, 0, 2) == 0 ? Interpolation::screen : Interpolation::perspective;
 
-  const Result<ViewFrame> view = make_view(camera, t.scene, kWidth, kHeight);
+  const Result<ViewFrame> view = make_view(camera, t.scene, kTrialWidth, kTrialHeight);
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) t.projection.row[i][j] = static_cast<float>(view->screen.m[i][j]);
   }
@@ -200,7 +200,7 @@ const std::vector<Method>& methods_under_test() {
   return all;
 }
 
-struct Errors {
+struct PictureErrors {
   long pixels = 0, skipped = 0, values = 0, rounded_otherwise = 0;
   double worst = 0, sum = 0;
 
@@ -217,7 +217,7 @@ struct Errors {
   }
 };
 
-void compare_pictures(const Method& method, Where where, long pixels, Errors& errors) {
+void compare_pictures(const Method& method, Where where, long pixels, PictureErrors& errors) {
   Random random(31);
   Frame frame;
   const std::vector<Isa> isas = available_isas();
@@ -230,8 +230,8 @@ void compare_pictures(const Method& method, Where where, long pixels, Errors& er
     for (std::size_t p = 0; p < frame.id.size(); ++p) {
       if (frame.id[p] == 0) continue;
       const Subject& s = subjects[frame.id[p] - 1];
-      const double x = (static_cast<double>(p % kWidth) + 0.5) * kSubpixels,
-                   y = (static_cast<double>(p / kWidth) + 0.5) * kSubpixels;
+      const double x = (static_cast<double>(p % kTrialWidth) + 0.5) * kSubpixels,
+                   y = (static_cast<double>(p / kTrialWidth) + 0.5) * kSubpixels;
       const auto w = reference::weights(s.shaded.corner, x, y);
       const Vec3d point = point_at(s, x, y);
       if (where == Where::among && !s.clipped) continue;
@@ -275,7 +275,7 @@ TEST(shading, reference_has_the_specifications_numbers) {
 TEST(shading, a_million_pixels_of_each_method_agree_with_the_reference) {
   for (const Method& method : methods_under_test()) {
     SCOPED_TRACE(method.name);
-    Errors e;
+    PictureErrors e;
     compare_pictures(method, Where::outside, 1'000'000, e);
     EXPECT_LT(e.worst, 1);
     EXPECT_LT(e.rounded_otherwise, e.values / 500);
@@ -288,7 +288,7 @@ TEST(shading, a_million_pixels_of_each_method_agree_with_the_reference) {
 TEST(shading, clipped_triangles_agree_with_the_reference) {
   for (const Method& method : methods_under_test()) {
     SCOPED_TRACE(method.name);
-    Errors e;
+    PictureErrors e;
     compare_pictures(method, Where::among, 200'000, e);
     EXPECT_LT(e.worst, 0.6);
     EXPECT_LT(e.rounded_otherwise, e.values / 500);
@@ -370,9 +370,9 @@ TEST(shading, slivers_stay_between_their_corners) {
     for (Vec4f& c : mesh.colors) c = {random.unit(), random.unit(), random.unit(), 1};
     RenderOptions o;
     o.antialias = "none";
-    o.width = kWidth;
-    o.height = kHeight;
-    o.camera = pixel_camera(kHeight);
+    o.width = kTrialWidth;
+    o.height = kTrialHeight;
+    o.camera = pixel_camera(kTrialHeight);
     o.transfer = Transfer::none;
     o.want_id = true;
     o.shading = methods_under_test()[static_cast<std::size_t>(round % 3)].name;

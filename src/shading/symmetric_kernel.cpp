@@ -10,12 +10,13 @@
 namespace blysk::BLYSK_ISA {
 namespace {
 
-template <bool kExact>
-struct SymmetricLaw : SymmetricRow<kExact> {
+struct SymmetricLaw : SymmetricRow {
   static constexpr int kRowSetting = 1, kEndsSetting = -1;
+  static BLYSK_INLINE RowRoot root_of(const ShadeJob& job) { return static_cast<RowRoot>(job.settings[0]); }
+
   template <class Y, class M>
   static BLYSK_INLINE RootTerms<Y> turn_along(const ShadeJob& job, Y c, M& direct) {
-    const auto root = static_cast<RowRoot>(job.settings[0]);
+    const RowRoot root = root_of(job);
     direct = direct | (c > Y(2.0f));
     if (root == RowRoot::minimax) {
       // A relative error of the root is n times as large in the lobe: half a step of 255.
@@ -28,17 +29,17 @@ struct SymmetricLaw : SymmetricRow<kExact> {
   template <class Y>
   static BLYSK_INLINE auto dot_of(const ShadeJob&, const RootTerms<Y>& turn, const LawEnds<Y>& ends,
                                   const Path<Y>& x) {
-    return SymmetricRow<kExact>::dot_along(turn, ends.first, ends.last, x);
+    return SymmetricRow::dot_along(turn, ends.first, ends.last, x);
+  }
+
+  template <class F, class P>
+  static BLYSK_INLINE Point<P> point(const ShadeJob& job, const Turn<F>& turn, const RowPoint<P>& at) {
+    return SymmetricRow::point(root_of(job), turn, at);
   }
 };
 
 }  // namespace
 
-void shade_symmetric(const ShadeJob& job) {
-  if (static_cast<RowRoot>(job.settings[0]) == RowRoot::exact) {
-    return shade_draw<RowMethod<SymmetricLaw<true>>, ColorSink>(job);
-  }
-  shade_draw<RowMethod<SymmetricLaw<false>>, ColorSink>(job);
-}
+void shade_symmetric(const ShadeJob& job) { shade_draw<RowMethod<SymmetricLaw>, ColorSink>(job); }
 
 }  // namespace blysk::BLYSK_ISA

@@ -63,7 +63,6 @@ struct RowDot {
   F start, gain, bend, skew;
 };
 
-template <bool kExact>
 struct SymmetricRow {
   template <class F>
   using Turn = RootTerms<F>;
@@ -85,8 +84,8 @@ struct SymmetricRow {
   }
 
   template <class F, class P>
-  static BLYSK_INLINE Point<P> point(const Turn<F>& turn, const RowPoint<P>& at) {
-    if constexpr (kExact) return {at, reciprocal_root(P(1.0f) - P(turn.first) * at.z)};
+  static BLYSK_INLINE Point<P> point(RowRoot root, const Turn<F>& turn, const RowPoint<P>& at) {
+    if (root == RowRoot::exact) return {at, reciprocal_root(P(1.0f) - P(turn.first) * at.z)};
     return {at, P(turn.base) + at.z * (P(turn.first) + at.z * P(turn.second))};
   }
 

@@ -1,6 +1,6 @@
 // Cells of lighting textures beside their triangle, and the points that two triangles share. The kernels'
 // headers are compiled here for the plain processor.
-#define BLYSK_ISA isa_cell_test
+#define BLYSK_ISA isa_test
 #include "shading/texture_cell.h"
 
 #include <gtest/gtest.h>
@@ -16,24 +16,24 @@
 namespace blysk {
 namespace {
 
-using isa_cell_test::I32;
-using isa_cell_test::kLanes;
-using isa_cell_test::kTextureRow;
+using isa_test::I32;
+using isa_test::kLanes;
+using isa_test::kTextureRow;
 
-struct Outline {
-  isa_cell_test::Corners<float> corner{};
-  isa_cell_test::RowFrame<float> frame;
+struct Placed {
+  isa_test::Corners<float> corner{};
+  isa_test::RowFrame<float> frame;
 };
 
-Outline random_outline(Random& random) {
-  Outline o;
+Placed random_placed(Random& random) {
+  Placed o;
   const std::int64_t reach = std::int64_t{256} << whole(random, 0, 9);
   for (int k = 0; k < 3; ++k) {
     o.corner.x[k] = static_cast<float>(whole(random, -reach, reach));
     o.corner.y[k] = static_cast<float>(whole(random, -reach, reach));
   }
-  isa_cell_test::sort_corners(o.corner);
-  o.frame = isa_cell_test::row_frame(o.corner);
+  isa_test::sort_corners(o.corner);
+  o.frame = isa_test::row_frame(o.corner);
   return o;
 }
 
@@ -42,25 +42,24 @@ TEST(texture_cell, lanes_beside_the_triangle_stay_in_the_texture) {
   Random random(71);
   long inside = 0, beside = 0;
   for (int round = 0; round < 70000; ++round) {
-    const Outline o = random_outline(random);
+    const Placed o = random_placed(random);
     if (std::abs(o.frame.area) < 65536) continue;
     const float steps = static_cast<float>(1 << whole(random, 0, 4));
     const auto base = static_cast<std::int32_t>(whole(random, 0, 5000));
     const auto y = static_cast<float>(
         whole(random, static_cast<std::int64_t>(o.corner.y[0]), static_cast<std::int64_t>(o.corner.y[1])));
-    const auto start = isa_cell_test::row_start(o.frame, y);
+    const auto start = isa_test::row_start(o.frame, y);
     const std::int64_t from = whole(random, -200000, 200000);
-    const auto x =
-        isa_cell_test::to_float(isa_cell_test::iota(0) * I32(512) +
-                                I32(static_cast<std::int32_t>(round % 2 == 0 ? from / 100 : from)));
-    const auto c = isa_cell_test::texture_cell(o.frame, start, steps, base, x);
+    const auto x = isa_test::to_float(isa_test::iota(0) * I32(512) +
+                                      I32(static_cast<std::int32_t>(round % 2 == 0 ? from / 100 : from)));
+    const auto c = isa_test::texture_cell(o.frame, start, steps, base, x);
     float wx[kLanes], wy[kLanes], over[kLanes];
-    isa_cell_test::store(c.x, wx);
-    isa_cell_test::store(c.y, wy);
-    isa_cell_test::store(isa_cell_test::right_of(o.frame, start, x) * isa_cell_test::F32(o.frame.over), over);
+    isa_test::store(c.x, wx);
+    isa_test::store(c.y, wy);
+    isa_test::store(isa_test::right_of(o.frame, start, x) * isa_test::F32(o.frame.over), over);
     for (const I32& words : c.at) {
       std::uint32_t at[kLanes];
-      isa_cell_test::store_all(words, at);
+      isa_test::store_all(words, at);
       for (const std::uint32_t word : at) {
         const int place = static_cast<int>(word) - base, n = static_cast<int>(steps);
         ASSERT_GE(place, 0);
@@ -95,9 +94,9 @@ TEST(texture_cell, shared_edges_have_equal_bits) {
     const Vec3f a = to_float(random_direction(random));
     const Vec3f b = to_float(normalize(to_double(a) + random_direction(random) * uniform(random, 0, 1)));
     const int steps = 1 << whole(random, 0, 4);
-    isa_cell_test::NormalRun<kTextureRow + kLanes> there, back;
-    isa_cell_test::halve_edge({a.x, a.y, a.z}, {b.x, b.y, b.z}, steps, there);
-    isa_cell_test::halve_edge({b.x, b.y, b.z}, {a.x, a.y, a.z}, steps, back);
+    isa_test::NormalRun<kTextureRow + kLanes> there, back;
+    isa_test::halve_edge({a.x, a.y, a.z}, {b.x, b.y, b.z}, steps, there);
+    isa_test::halve_edge({b.x, b.y, b.z}, {a.x, a.y, a.z}, steps, back);
     for (int i = 0; i <= steps; ++i) {
       const auto p = there.at(i), q = back.at(steps - i);
       ASSERT_EQ(std::memcmp(&p, &q, sizeof p), 0) << "point " << i << " of " << steps;
@@ -153,15 +152,15 @@ struct Neighbours {
   }
 
   // What a triangle's texture holds of a lamp at `step` of `steps` from vertex 0 to vertex 1.
-  [[nodiscard]] std::uint32_t word(isa_cell_test::TextureCache& cache, int triangle, int steps, int lamp,
+  [[nodiscard]] std::uint32_t word(isa_test::TextureCache& cache, int triangle, int steps, int lamp,
                                    int step) const {
-    const auto t = isa_cell_test::fetch_lit_triangle<float>(job, triangle);
+    const auto t = isa_test::fetch_lit_triangle<float>(job, triangle);
     const auto share = [&](int corner) {
       return t.corners.vertex[corner] == 0 ? steps - step : t.corners.vertex[corner] == 1 ? step : 0;
     };
     const int slot = cache.find(job, triangle, steps);
-    return cache.words()[slot * isa_cell_test::TextureCache::kSlotStride +
-                         lamp * isa_cell_test::kTextureWords + share(2) * kTextureRow + share(1)];
+    return cache.words()[slot * isa_test::TextureCache::kSlotStride + lamp * isa_test::kTextureWords +
+                         share(2) * kTextureRow + share(1)];
   }
 };
 
@@ -171,7 +170,7 @@ TEST(texture_cell, textures_agree_along_shared_edges) {
   long words = 0, bright = 0;
   for (int round = 0; round < 4000; ++round) {
     const Neighbours n(random);
-    const auto cache = std::make_unique<isa_cell_test::TextureCache>();
+    const auto cache = std::make_unique<isa_test::TextureCache>();
     cache->start();
     const int steps = 1 << whole(random, 1, 4);
     bool both = true;

@@ -66,7 +66,7 @@ StudySection complexity_section(const Scenes& scenes) {
   return section;
 }
 
-StudyTable error_table(const SceneResult& s, bool decibels) {
+StudyTable scene_error_table(const SceneResult& s, bool decibels) {
   StudyTable table = {s.name + (decibels ? ": PSNR, dB" : ": NMSE"), with_counts("policy"), {}};
   for (const Overflow policy : kPolicies) {
     std::vector<StudyCell> row = {policy_cell(policy)};
@@ -110,8 +110,8 @@ StudySection error_section(const Scenes& scenes) {
       {},
       {error_plot(scenes)}};
   for (const SceneResult& s : scenes) {
-    section.tables.push_back(error_table(s, false));
-    section.tables.push_back(error_table(s, true));
+    section.tables.push_back(scene_error_table(s, false));
+    section.tables.push_back(scene_error_table(s, true));
   }
   return section;
 }

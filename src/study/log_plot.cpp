@@ -10,7 +10,7 @@
 namespace blysk::study {
 namespace {
 
-constexpr double kWidth = 250, kHeight = 170, kLeft = 46, kTop = 46, kGap = 50;
+constexpr double kFrameWidth = 250, kFrameHeight = 170, kFrameLeft = 46, kFrameTop = 46, kFrameGap = 50;
 
 // Told apart by those who do not see all colours: M. Okabe, K. Ito. Color Universal Design. 2008.
 constexpr std::array<std::string_view, 8> kColors = {"#000000", "#e69f00", "#56b4e9", "#d55e00",
@@ -20,22 +20,22 @@ std::string anchored(double x, double y, std::string_view anchor, std::string_vi
   return svg_text(x, y, text, std::string("text-anchor=\"") + std::string(anchor) + "\"");
 }
 
-class Frame {
+class PlotFrame {
  public:
-  Frame(const LogPlotOptions& options, std::size_t index) : options_(options) {
+  PlotFrame(const LogPlotOptions& options, std::size_t index) : options_(options) {
     const auto columns = static_cast<std::size_t>(options.columns);
-    left_ = kLeft + static_cast<double>(index % columns) * (kWidth + kGap);
-    top_ = kTop + static_cast<double>(index / columns) * (kHeight + kGap);
+    left_ = kFrameLeft + static_cast<double>(index % columns) * (kFrameWidth + kFrameGap);
+    top_ = kFrameTop + static_cast<double>(index / columns) * (kFrameHeight + kFrameGap);
   }
 
   [[nodiscard]] std::string draw(const Panel& panel) const {
-    std::string svg = anchored(left_ + kWidth / 2, top_ - 6, "middle", panel.title);
+    std::string svg = anchored(left_ + kFrameWidth / 2, top_ - 6, "middle", panel.title);
     for (int power = options_.y_low; power <= options_.y_high; ++power) {
-      svg += svg_line(left_, row(power), left_ + kWidth, row(power), "#dddddd");
+      svg += svg_line(left_, row(power), left_ + kFrameWidth, row(power), "#dddddd");
       svg += anchored(left_ - 4, row(power) + 3, "end", std::to_string(power).insert(0, "1e"));
     }
     for (int x = static_cast<int>(options_.x_low); x <= static_cast<int>(options_.x_high); ++x) {
-      svg += anchored(column(x), top_ + kHeight + 14, "middle", std::to_string(x));
+      svg += anchored(column(x), top_ + kFrameHeight + 14, "middle", std::to_string(x));
     }
     for (std::size_t i = 0; i < panel.curves.size(); ++i) svg += curve(panel.curves[i], i);
     return svg;
@@ -43,11 +43,11 @@ class Frame {
 
  private:
   [[nodiscard]] double column(double x) const {
-    return left_ + (x - options_.x_low) / (options_.x_high - options_.x_low) * kWidth;
+    return left_ + (x - options_.x_low) / (options_.x_high - options_.x_low) * kFrameWidth;
   }
   [[nodiscard]] double row(double power) const {
     const double inside = std::clamp<double>(power, options_.y_low, options_.y_high);
-    return top_ + (options_.y_high - inside) / (options_.y_high - options_.y_low) * kHeight;
+    return top_ + (options_.y_high - inside) / (options_.y_high - options_.y_low) * kFrameHeight;
   }
   [[nodiscard]] std::string curve(const Curve& c, std::size_t index) const {
     std::string points;
@@ -69,16 +69,16 @@ class Frame {
 std::string log_plot(const std::vector<Panel>& panels, const LogPlotOptions& options) {
   const auto columns = static_cast<std::size_t>(options.columns);
   const std::size_t rows = (panels.size() + columns - 1) / columns;
-  const double width = kLeft + static_cast<double>(columns) * (kWidth + kGap) - kGap + 12,
-               height = kTop + static_cast<double>(rows) * (kHeight + kGap);
+  const double width = kFrameLeft + static_cast<double>(columns) * (kFrameWidth + kFrameGap) - kFrameGap + 12,
+               height = kFrameTop + static_cast<double>(rows) * (kFrameHeight + kFrameGap);
   std::string svg = svg_head(width, height, 10);
-  double at = kLeft;
+  double at = kFrameLeft;
   for (std::size_t i = 0; !panels.empty() && i < panels.front().curves.size(); ++i, at += 70) {
     svg += svg_line(at, 14, at + 18, 14, kColors[i % kColors.size()]);
     svg += anchored(at + 22, 17, "start", panels.front().curves[i].name);
   }
   svg += anchored(width - 12, 17, "end", options.y_label + " against " + options.x_label);
-  for (std::size_t i = 0; i < panels.size(); ++i) svg += Frame(options, i).draw(panels[i]);
+  for (std::size_t i = 0; i < panels.size(); ++i) svg += PlotFrame(options, i).draw(panels[i]);
   return svg + "</svg>\n";
 }
 

@@ -19,7 +19,7 @@ using antialias::Mask;
 using antialias::SamplePattern;
 
 // A triangle on the screen, and what its light needs.
-struct Placed {
+struct PlacedTriangle {
   std::array<antialias::Subpixel, 3> corners;
   std::array<double, 3> z;
   reference::ShadedTriangle lit;
@@ -36,7 +36,7 @@ class Multisampler {
                  Sample{{double{options.background.x}, double{options.background.y},
                          double{options.background.z}}}) {}
 
-  void draw(const Placed& t) {
+  void draw(const PlacedTriangle& t) {
     const antialias::TriangleCoverage coverage(t.corners, pattern_);
     if (coverage.empty()) return;
     const antialias::DepthPlane plane = antialias::depth_plane(t.corners, t.z);
@@ -72,7 +72,7 @@ class Multisampler {
     double z = std::numeric_limits<double>::infinity();
   };
 
-  void draw_pixel(const Placed& t, const antialias::DepthPlane& plane, Mask covered, int x, int y) {
+  void draw_pixel(const PlacedTriangle& t, const antialias::DepthPlane& plane, Mask covered, int x, int y) {
     if (covered == 0) return;
     Sample* const pixel = &samples_[(static_cast<std::size_t>(y) * static_cast<std::size_t>(options_.width) +
                                      static_cast<std::size_t>(x)) *
@@ -88,7 +88,7 @@ class Multisampler {
     }
   }
 
-  [[nodiscard]] Vec3d shade(const Placed& t, Mask covered, int x, int y) const {
+  [[nodiscard]] Vec3d shade(const PlacedTriangle& t, Mask covered, int x, int y) const {
     double right = 0, down = 0;
     for (Mask left = shade_at_ == ShadeAt::centroid ? covered : 0; left != 0; left &= left - 1) {
       const auto s = static_cast<std::size_t>(std::countr_zero(left));
@@ -124,7 +124,7 @@ class Placer {
     t_.lit.view = {options.camera->height > 0, options.camera->eye, view.forward};
   }
 
-  [[nodiscard]] const Placed* place(std::size_t first) {
+  [[nodiscard]] const PlacedTriangle* place(std::size_t first) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (!place_corner(mesh_.indices[first + k], k)) return nullptr;
     }
@@ -158,7 +158,7 @@ class Placer {
   const Instance& instance_;
   const Mat4 normals_;
   const ViewFrame& view_;
-  Placed t_;
+  PlacedTriangle t_;
 };
 
 }  // namespace
@@ -171,7 +171,7 @@ Result<Image> multisampled(const Scene& scene, const RenderOptions& options, con
     Placer placer(scene, instance, *view, options);
     const std::size_t corners = 3 * scene.meshes[instance.mesh].triangles();
     for (std::size_t i = 0; i < corners; i += 3) {
-      if (const Placed* t = placer.place(i)) picture.draw(*t);
+      if (const PlacedTriangle* t = placer.place(i)) picture.draw(*t);
     }
   }
   return picture.picture();
