@@ -37,7 +37,7 @@ BLYSK_INLINE EdgePoint<Y> between(const EdgePoint<Y>& a, const EdgePoint<Y>& b, 
 
 /// The centres of a row's first and last pixel, subpixels.
 template <class Y>
-struct RowPlace {
+struct RowCentres {
   Y y, first, last;
 };
 
@@ -50,7 +50,7 @@ struct EdgeNormals {
 /// Of sorted corners, all of them placed.
 template <class F, class Y>
 __attribute__((noinline)) EdgeNormals<Y> edge_normals(const ShadeJob& job, const Corners<F>& c,
-                                                      const RowPlace<Y>& row) {
+                                                      const RowCentres<Y>& row) {
   EdgePoint<Y> corner[3];
   for (int k = 0; k < 3; ++k) {
     const V3<F> n = made_unit(corner_normal(job, c, k));

@@ -199,7 +199,7 @@ struct RowMethod {
       if (job.settings[Law::kEndsSetting] == 1) {
         Corners<F> c = t.phong.corners;
         sort_corners(c);
-        const auto n = edge_normals(job, c, RowPlace<Y>{y, span.first, span.first + length});
+        const auto n = edge_normals(job, c, RowCentres<Y>{y, span.first, span.first + length});
         a.normal = n.first;
         b.normal = n.last;
         direct = direct | n.beyond;

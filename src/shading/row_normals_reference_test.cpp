@@ -322,8 +322,8 @@ Row9 exact_row(Vec3d a, Vec3d b) {
 }
 
 template <class Make>
-Errors matrix_errors(Make make, In in, double full_deg) {
-  Errors e;
+RowErrors matrix_errors(Make make, In in, double full_deg) {
+  RowErrors e;
   Random random(1);
   for (int trial = 0; trial < 2000; ++trial) {
     Vec3d n[4];
@@ -351,15 +351,15 @@ TEST(row_normals_reference, errors_of_matrix_blocks) {
   } rows[] = {{10, 0.016, 0.66}, {30, 0.017, 1.63}, {60, 0.030, 1.91}, {90, 0.048, 1.97}};
   for (const auto& r : rows) {
     SCOPED_TRACE(r.full_deg);
-    const Errors of_paper = matrix_errors(paper, In::cone, r.full_deg);
+    const RowErrors of_paper = matrix_errors(paper, In::cone, r.full_deg);
     EXPECT_NEAR(of_paper.length, r.length, 0.06 * r.length);
     EXPECT_NEAR(of_paper.angle, r.angle, 0.06 * r.angle);
     EXPECT_GE(matrix_errors(paper, In::rim, r.full_deg).length, of_paper.length);
-    const Errors of_minimax = matrix_errors(minimax, In::cone, r.full_deg);
+    const RowErrors of_minimax = matrix_errors(minimax, In::cone, r.full_deg);
     EXPECT_NEAR(of_minimax.length, 0.004, 0.0005);
     EXPECT_GE(of_minimax.angle, 0.04);
     EXPECT_LE(of_minimax.angle, 0.245);
-    const Errors of_direct = matrix_errors(direct, In::cone, r.full_deg);
+    const RowErrors of_direct = matrix_errors(direct, In::cone, r.full_deg);
     EXPECT_GE(of_direct.length, 0.00015);
     EXPECT_LE(of_direct.length, 0.00105);
     EXPECT_LE(of_direct.angle, 0.0225);
