@@ -163,6 +163,7 @@ Result<ShadingMeasurements> measure_shading(const StudyOptions& options) {
   const Rounds rounds = options.quick ? Rounds{3, 0.02} : Rounds{};
   ShadingMeasurements m;
   list_methods(m);
+  tell("timing the processor's clock");
   m.clock_ghz = clock_hz() * 1e-9;
   m.best = isa_name(available_isas().back());
 
