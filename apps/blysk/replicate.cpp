@@ -36,7 +36,7 @@ Result<std::vector<StudyReport>> run_studies(const Arguments& arguments) {
   options.limits = limits_of(arguments);
   options.models = arguments.operands();
   if (arguments.has("scenes")) options.scenes = split(arguments.text("scenes"), ',');
-  options.progress = [&](std::string_view what) { progress.phase("measuring " + std::string(what)); };
+  options.progress = [&](std::string_view what) { progress.phase(what); };
   std::vector<StudyReport> reports;
   for (const Study& study : studies()) {
     if (arguments.has("study") && arguments.text("study") != study.name) continue;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -46,9 +47,26 @@ void say_prefixed(std::string_view kind, std::string_view colour, std::string_vi
   write_all(STDERR_FILENO, all + ": " + printable(line) + "\n");
 }
 
+constexpr std::string_view kClearLine = "\r\033[K";
+// A line of progress stands on the terminal; it is being written; the process ends and none may be written.
+std::atomic<bool> line_shown = false, line_in_work = false, ending = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void show_line(const std::string& line) {
+  line_in_work = true;
+  if (!ending) write_all(STDERR_FILENO, line);
+  line_in_work = false;
+}
+
 // Only calls that are safe in a signal handler.
 extern "C" void end_by_signal(int signal_number) {
   discard_unfinished_pictures();
+  if (line_shown) {
+    constexpr int kPatientLooks = 100000000;  // a stopped terminal would take for ever
+    ending = true;
+    for (int look = 0; line_in_work && look < kPatientLooks; ++look) continue;
+    write_all(STDERR_FILENO, kClearLine);
+  }
   // Whoever read our output has gone: what remains cannot be written, and nobody wants to hear of it.
   ::_exit(signal_number == SIGPIPE ? static_cast<int>(ErrorCode::output) : 128 + signal_number);
 }
@@ -133,17 +151,20 @@ void Progress::finish() {
   }
   wake_.notify_one();
   thread_.join();
-  if (shown_) write_all(STDERR_FILENO, "\r\033[K");
+  if (line_shown.exchange(false)) write_all(STDERR_FILENO, kClearLine);
 }
 
 void Progress::run() {
   constexpr std::string_view kSpinner = "|/-\\";
+  sigset_t all;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_BLOCK, &all, nullptr);  // what ends the process may wait for this thread
   std::unique_lock lock(mutex_);
   if (wake_.wait_for(lock, kPatience, [this] { return done_; })) return;
-  shown_ = true;
+  line_shown = true;
   for (std::size_t turn = 0; !done_; ++turn) {
     const std::string_view arm = kSpinner.substr(turn % kSpinner.size(), 1);
-    write_all(STDERR_FILENO, "\r\033[K" + std::string(arm) + " " + what_ + " ...");
+    show_line(std::string(kClearLine) + std::string(arm) + " " + what_ + " ...");
     wake_.wait_for(lock, kFrame, [this] { return done_; });
   }
 }

@@ -48,7 +48,6 @@ class Progress {
   std::condition_variable wake_;
   std::string what_;
   bool done_ = false;
-  bool shown_ = false;
   std::thread thread_;
 };
 

@@ -81,7 +81,7 @@ struct StudyOptions {
   std::vector<std::string> scenes = {};  ///< names of the study's scenes; empty: all
   std::vector<std::string> models = {};  ///< files or shapes measured besides
   Limits limits = {};                    ///< for `models`
-  std::function<void(std::string_view)> progress = {};  ///< told what is measured next; may be empty
+  std::function<void(std::string_view)> progress = {};  ///< told what is done next; may be empty
 };
 
 /// Names of the scenes that study_abuffer() knows, in its order.

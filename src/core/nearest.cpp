@@ -7,7 +7,7 @@
 namespace blysk {
 namespace {
 
-constexpr std::size_t kMaxLength = 64;
+constexpr std::size_t kMaxLength = 64, kLeastForSounds = 4;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -16,9 +16,11 @@ bool begins(std::string_view word, std::string_view choice) {
                                                     [](char a, char b) { return lower(a) == lower(b); });
 }
 
-// Damerau-Levenshtein, each character edited at most once (optimal string alignment).
+// Damerau-Levenshtein, each character edited at most once (optimal string alignment); two letters for one are
+// one edit too, as a sound may be written either way: "fong" for "phong".
 std::size_t distance(std::string_view a, std::string_view b) {
   std::array<std::array<std::size_t, kMaxLength + 1>, 3> rows;  // of a's characters i - 2, i - 1 and i
+  const bool sounds = a.size() >= kLeastForSounds;
   for (std::size_t j = 0; j <= b.size(); ++j) rows[0][j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     auto& now = rows[i % 3];
@@ -31,6 +33,8 @@ std::size_t distance(std::string_view a, std::string_view b) {
       const bool swapped =
           i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
       if (swapped) now[j] = std::min(now[j], two_before[j - 2] + 1);
+      if (sounds && j > 1) now[j] = std::min(now[j], before[j - 2] + 1);
+      if (sounds && i > 1) now[j] = std::min(now[j], two_before[j - 1] + 1);
     }
   }
   return rows[a.size() % 3][b.size()];

@@ -18,6 +18,18 @@ TEST(nearest, finds_one_edit_of_each_kind) {
 
 TEST(nearest, counts_a_swap_as_one_edit) { EXPECT_EQ(blysk::nearest("cbue", kNames), "cube"); }
 
+TEST(nearest, counts_a_sound_as_one_edit) {
+  constexpr std::string_view methods[] = {"phong", "gouraud", "flat", "cubic", "auto", "blinn", "lambert"};
+  EXPECT_EQ(blysk::nearest("fong", methods), "phong");
+  EXPECT_EQ(blysk::nearest("kubick", methods), "cubic");
+  EXPECT_EQ(blysk::nearest("phlat", methods), "flat");
+  EXPECT_EQ(blysk::nearest("king", methods), "");
+  EXPECT_EQ(blysk::nearest("fl", methods), "flat");  // its beginning
+  EXPECT_EQ(blysk::nearest("coat", methods), "");
+  constexpr std::string_view short_names[] = {"red", "blue", "grey"};
+  EXPECT_EQ(blysk::nearest("by", short_names), "");  // too short to have a sound in it
+}
+
 TEST(nearest, prefers_fewer_edits_then_the_first) {
   EXPECT_EQ(blysk::nearest("sphere", kNames), "sphere");
   EXPECT_EQ(blysk::nearest("spheers", kNames), "spheres");

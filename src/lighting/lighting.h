@@ -65,8 +65,8 @@ BLYSK_INLINE auto side_seen(const V3<F>& n, const V3<F>& v) {
 /// How a lamp stands to a point.
 template <class F>
 struct LampAngles {
-  F cos_l;   ///< N.L, signed
-  F square;  ///< of N.H or R.V, 0 where that is negative
+  F cos_l;  ///< N.L, signed
+  F lobe;   ///< lobe_of_argument()'s: N.H or R.V or its square, 0 where that is negative
 };
 
 /// `where()` gives the point and is called for point lights only.
@@ -85,13 +85,16 @@ BLYSK_INLINE LampAngles<F> lamp_angles(const Surface& s, const Lamp& lamp, const
 
   const F l_v = dot(p.v, l) * p.rv;
   // The square of the cosine is what a division gives at once, without the root of |L + V|: for unit L and
-  // V |L + V|^2 = 2 + 2 L.V. The length of n comes last: the division need not wait for its root.
+  // V |L + V|^2 = 2 + 2 L.V. The length of n comes last: the division need not wait for its root. The cosine
+  // itself takes neither division nor root, but the polynomial.
   if (s.model == LightingModel::blinn) {
     const F n_to_h = max(n_to_l + p.n_to_v, F(0.0f));
-    a.square = n_to_h * n_to_h / max(F(2.0f) + F(2.0f) * l_v, F(1e-12f)) * (p.rn * p.rn);
+    const F h = max(F(2.0f) + F(2.0f) * l_v, F(1e-12f));
+    a.lobe =
+        s.lobe == Lobe::power ? n_to_h * n_to_h / h * (p.rn * p.rn) : n_to_h * (p.rn * reciprocal_root(h));
   } else {
     const F r_v = max(F(2.0f) * n_to_l * p.n_to_v * (p.rn * p.rn) - l_v, F(0.0f));
-    a.square = r_v * r_v;
+    a.lobe = s.lobe == Lobe::power ? r_v * r_v : r_v;
   }
   return a;
 }
@@ -120,8 +123,8 @@ BLYSK_INLINE Intensity<F> light_scaled(const Surface& s, const V3<F>& n, F rn, c
     const LampAngles<F> a = lamp_angles(s, s.lamp[i], stance, where);
     sum.diffuse = plus_scaled(sum.diffuse, s.lamp[i].diffuse, max(a.cos_l, F(0.0f)));
     if (s.model == LightingModel::lambert) continue;
-    const F square = kNearly ? min(a.square, F(1.0f)) : a.square;
-    const F lobe = select(a.cos_l > F(0.0f), specular_lobe(square, s), F(0.0f));
+    const F argument = kNearly ? min(a.lobe, F(1.0f)) : a.lobe;
+    const F lobe = select(a.cos_l > F(0.0f), lobe_of_argument(argument, s), F(0.0f));
     sum.specular = plus_scaled(sum.specular, s.lamp[i].specular, lobe);
   }
   return sum;

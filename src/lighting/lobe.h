@@ -1,7 +1,7 @@
 // lighting/lobe.h - how the specular term falls off, for plain floats and for lanes.
 //
-// Every lobe is given the square of the cosine, which is what the exact power wants and what costs no root.
-// The choice is one for a whole draw. lobe_reference.h has the formulas in double precision.
+// The exact power wants the square of the cosine, the others the cosine. The choice is one for a whole draw.
+// lobe_reference.h has the formulas in double precision.
 #pragma once
 
 #include "lighting/lamp.h"
@@ -56,10 +56,10 @@ BLYSK_INLINE F squared_angle(F chord) {
   return r * r * chord;
 }
 
-/// The lobes that are not the exact power.
+/// The lobes that are not the exact power, from the cosine; a rounded one may pass 1.
 template <class F>
-BLYSK_INLINE F approximate_lobe(F square, const Surface& s) {
-  const F c = min(sqrt(square), F(1.0f));
+BLYSK_INLINE F approximate_lobe(F cosine, const Surface& s) {
+  const F c = min(cosine, F(1.0f));
   if (s.lobe == Lobe::logarithmic) return logarithmic_lobe(c, s.shininess);
   const F fall = F(1.0f) - c;
   if (s.lobe == Lobe::schlick) return c / (F(s.shininess) * fall + c);
@@ -71,7 +71,21 @@ BLYSK_INLINE F approximate_lobe(F square, const Surface& s) {
 template <class F>
 BLYSK_INLINE F specular_lobe(F square, const Surface& s) {
   if (__builtin_expect(s.lobe == Lobe::power, 1)) return power_lobe(square, s);
-  return approximate_lobe(square, s);
+  return approximate_lobe(sqrt(square), s);
+}
+
+/// The same from what the lobe wants: the square for the exact power, the cosine for the others.
+template <class F>
+BLYSK_INLINE F lobe_of_argument(F argument, const Surface& s) {
+  if (__builtin_expect(s.lobe == Lobe::power, 1)) return power_lobe(argument, s);
+  return approximate_lobe(argument, s);
+}
+
+/// From a cosine in [0, 1].
+template <class F>
+BLYSK_INLINE F lobe_of_cosine(F c, const Surface& s) {
+  if (__builtin_expect(s.lobe == Lobe::power, 1)) return power_lobe(c * c, s);
+  return approximate_lobe(c, s);
 }
 
 }  // namespace blysk::BLYSK_ISA

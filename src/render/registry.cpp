@@ -60,7 +60,18 @@ constexpr MethodSetting kSymmetricSettings[] = {
     {"root", "1 / sqrt: exact, the paper's three polynomials, one fitted to each row", kSymmetricRoots, 4},
     kRowPixels};
 
-constexpr MethodSetting kAngularSettings[] = {kRowPixels};
+constexpr std::string_view kAngularWalks[] = {"middle", "foot"}, kAngularEnds[] = {"linear", "spherical"};
+constexpr MethodSetting kAngularSettings[] = {
+    {"walk",
+     "where a row's cosines start: from its middle, or as printed from the foot of L and H, which moves to a "
+     "pixel",
+     kAngularWalks},
+    {"ends",
+     "normals of a row's ends: linear along the edges and made unit, or turned evenly along them by "
+     "spherical "
+     "triangles",
+     kAngularEnds},
+    kRowPixels};
 
 constexpr std::string_view kDiscards[] = {"d1", "d2", "d3", "d4", "d5"};
 constexpr std::string_view kMerges[] = {"m0", "m1", "m2", "m3", "m4", "m5"};

@@ -33,6 +33,13 @@ BLYSK_INLINE P small_cosine(P x) {
   return (P(1.0f) - P(0.5f) * q) + q * q * (P(0.0416612779f) + P(-0.0013652435f) * q);
 }
 
+/// Max error: 1.7e-7 absolute. Valid range: |x| <= tan(pi / 8). Likewise, the first term fixed.
+template <class P>
+BLYSK_INLINE P small_arctangent(P x) {
+  const P q = x * x;
+  return x + x * q * (P(-0.333228916f) + q * (P(0.196702158f) + P(-0.110535696f) * q));
+}
+
 /// N.X along a row: the part that goes with the cosine of the angle from the middle and the part that goes
 /// with its sine. Of far X they are constant.
 template <class F>
@@ -74,6 +81,24 @@ struct AngularRow {
       return parabola(dot(of, x.first), dot(of, x.middle), dot(of, x.last));
     };
     return {along(middle), along(across)};
+  }
+
+  /// The walk from the foot of far X on the arc, section 7.4: both ways the same cosines serve, so that the
+  /// foot has to be a pixel and moves to the nearest one of the row's steps (erratum E32). Evaluated in each
+  /// pixel's own place that is another start of the same cosine. Off the arc there is no walk.
+  template <class F>
+  static BLYSK_INLINE Dot<F> from_foot(const Dot<F>& d, F angle, F steps) {
+    const F even = d.even.start, odd = d.odd.start, half(0.5f);
+    const F beta = sqrt(even * even + odd * odd);
+    const F foot = F(2.0f) * small_arctangent(odd / max(beta + even, F(1e-6f)));  // from the middle
+    const auto on_arc = (even > F(0.0f)) & (magnitude(foot) <= half * angle);
+    const F place = (foot / angle + half) * steps;
+    const F by = (to_float(truncate(select(on_arc, place, F(0.0f)) + half)) - place) * (angle / steps);
+    const F cosine = small_cosine(by), sine = small_sine(by);
+    Dot<F> moved = d;
+    moved.even.start = select(on_arc, even * cosine - odd * sine, even);
+    moved.odd.start = select(on_arc, odd * cosine + even * sine, odd);
+    return moved;
   }
 
   template <class F, class P>

@@ -65,7 +65,7 @@ BLYSK_INLINE void light_lamps(const ShadeJob& job, const LitTriangle<F>& t, cons
   for (int i = 0; i < s.lamps; ++i) {
     const LampAngles<P> a = lamp_angles(s, s.lamp[i], stance, where);
     out.cos_l[i] = a.cos_l;
-    if (s.model != LightingModel::lambert) out.lobe[i] = specular_lobe(a.square, s);
+    if (s.model != LightingModel::lambert) out.lobe[i] = lobe_of_argument(a.lobe, s);
   }
 }
 

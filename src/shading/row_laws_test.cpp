@@ -6,6 +6,7 @@
 #include "render/testing.h"
 #include "shading/angular_reference.h"
 #include "shading/angular_row.h"
+#include "shading/row_edges.h"
 #include "shading/symmetric_reference.h"
 #include "shading/symmetric_row.h"
 
@@ -488,6 +489,66 @@ TEST(angular_row, follows_the_reference_form) {
     worst = std::max(worst, std::abs(found - expected));
   }
   EXPECT_LE(worst, 4e-5);  // the angle is 4.6e-5 off at 90 degrees, the ends by half of that
+  RecordProperty("worst", std::to_string(worst * 1e6) + "e-6");
+}
+
+// A foot that is half-way between two pixels, or at an end, may be decided either way.
+TEST(angular_row, walks_from_the_foot_as_the_reference_form) {
+  Random random(29);
+  double worst = 0;
+  long walks = 0;
+  for (int i = 0; i < 1500000; ++i) {
+    RandomRow row(random);
+    const double c = dot(row.na, row.nb);
+    if (1 - c < 1e-6) continue;
+    const reference::AngularRow exact(row.na, row.nb, row.from, row.m);
+    const double foot = exact.foot(), part = foot - std::floor(foot);
+    const double close = 1e-6 + 2e-6 / exact.step() + 1e-4 * row.m;
+    if (std::abs(part - 0.5) < close || std::abs(foot) < close || std::abs(foot - row.m) < close) continue;
+    if (row.m < 2 && foot > 0 && foot < row.m) continue;  // the step is as wide as the row
+    const V3<float> difference = isa_test::minus(lane(row.nb), lane(row.na));
+    const auto turn = AngularRow::turn_of(isa_test::dot(difference, difference));
+    const Path<float> far{lane(row.from), {}, {}, true};
+    const auto along = AngularRow::from_foot(AngularRow::dot_along(turn, lane(row.na), lane(row.nb), far),
+                                             turn.angle, static_cast<float>(row.m));
+    const float t = static_cast<float>(row.x) / static_cast<float>(row.m);
+    const double found = double(
+        AngularRow::cosine(along, AngularRow::point(turn, isa_test::RowPoint<float>{t, t - t * t}), true));
+    worst = std::max(worst, std::abs(found - exact.walked(row.x)));
+    walks += foot > 0 && foot < row.m ? 1 : 0;
+  }
+  EXPECT_LE(worst, 1e-4);
+  EXPECT_GT(walks, 10000);
+  RecordProperty("worst", std::to_string(worst * 1e6) + "e-6");
+}
+
+// Rows between edges that turn evenly: by vectors here, by spherical triangles there.
+TEST(angular_row, turns_along_edges_as_the_reference_form) {
+  Random random(31);
+  double worst = 0;
+  for (int i = 0; i < 1000000; ++i) {
+    Vec3d n[3] = {random_direction(random), {}, {}};
+    do {
+      for (int k = 1; k < 3; ++k) {
+        n[k] = normalize(n[0] + random_direction(random) * std::pow(uniform(random, 0, 1.2), 3));
+      }
+    } while (std::min({dot(n[0], n[1]), dot(n[0], n[2]), dot(n[1], n[2])}) < 0.001 ||
+             length(cross(n[0], n[1])) < 1e-3 || length(cross(n[0], n[2])) < 1e-3);
+    const double down = uniform(random, 0, 1), over = uniform(random, 0, 1), t = uniform(random, 0, 1);
+    const Vec3d h = random_direction(random);
+    const reference::SphericalTriangle triangle(n[0], n[1], n[2], h);
+    const double tau = triangle.angle_d * down, mu = triangle.angle_f * over;
+    const double phi = triangle.cos_phi(tau, mu);
+    if (phi > 1 - 1e-8) continue;
+    const double expected =
+        reference::AngularRow(phi, triangle.cos_alpha(tau), triangle.cos_lambda(mu), 1).expanded(t);
+    const auto turned = [&](const V3<float>& a, const V3<float>& b, double u) {
+      return isa_test::turned(a, b, static_cast<float>(u));
+    };
+    const V3<float> c = lane(n[0]), at = turned(turned(c, lane(n[1]), down), turned(c, lane(n[2]), over), t);
+    worst = std::max(worst, std::abs(double(isa_test::dot(at, lane(h))) - expected));
+  }
+  EXPECT_LE(worst, 1e-4);
   RecordProperty("worst", std::to_string(worst * 1e6) + "e-6");
 }
 

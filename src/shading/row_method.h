@@ -8,12 +8,14 @@
 //
 // A law is a struct of static templates, as in symmetric_row.h, with turn_along(job, c, direct): what a row
 // whose ends are c = |Nb - Na|^2 apart has in common; it sets `direct` where the law does not hold.
-// kRowSetting is the place of the setting `row`.
+// dot_of(job, turn, ends, x) is its dot_along(). kRowSetting is the place of the setting `row`, kEndsSetting
+// that of `ends`, -1 if there is none.
 #pragma once
 
 #include "shading/corner_light.h"
 #include "shading/phong.h"
 #include "shading/row.h"
+#include "shading/row_edges.h"
 #include "shading/row_path.h"
 #include "shading/shade_tile.h"
 
@@ -43,6 +45,13 @@ BLYSK_INLINE RowFrame<Y> spread(const RowFrame<F>& f) {
   r.area = Y(f.area);
   return r;
 }
+
+/// Normals of a row's ends and the way between them, subpixels.
+template <class F>
+struct LawEnds {
+  V3<F> first, last;
+  F length;
+};
 
 template <class Law>
 struct RowMethod {
@@ -186,6 +195,16 @@ struct RowMethod {
                                      M& direct) {
     const Surface& s = job.draw->surface;
     End<Y> a = end_at(job, t, span.first, y), b = end_at(job, t, span.first + length, y);
+    if constexpr (Law::kEndsSetting >= 0) {
+      if (job.settings[Law::kEndsSetting] == 1) {
+        Corners<F> c = t.phong.corners;
+        sort_corners(c);
+        const auto n = edge_normals(job, c, RowCentres<Y>{y, span.first, span.first + length});
+        a.normal = n.first;
+        b.normal = n.last;
+        direct = direct | n.beyond;
+      }
+    }
     // Both ends show one side.
     const auto side = side_seen(a.normal, a.sight);
     direct = direct | (side_seen(b.normal, b.sight) != side);
@@ -218,7 +237,8 @@ struct RowMethod {
       v.last = made_unit(b.sight);
       direct = direct | too_near(v);
     }
-    if (s.model == LightingModel::phong) span.n_v = Law::dot_along(span.turn, a.normal, b.normal, v);
+    const LawEnds<Y> ends = {a.normal, b.normal, length};
+    if (s.model == LightingModel::phong) span.n_v = Law::dot_of(job, span.turn, ends, v);
     V3<Y> from[2] = {};
     for (int i = 0; i < s.lamps; ++i) {
       if (!s.lamp[i].point) continue;
@@ -235,7 +255,7 @@ struct RowMethod {
              made_unit(minus(at, from[1])), false};
         direct = direct | too_near(l);
       }
-      light_lamp(s, a.normal, b.normal, v, l, span, span.lamp[i]);
+      light_lamp(job, ends, v, l, span, span.lamp[i]);
     }
   }
 
@@ -248,9 +268,10 @@ struct RowMethod {
   }
 
   template <class Y>
-  static BLYSK_INLINE void light_lamp(const Surface& s, const V3<Y>& na, const V3<Y>& nb, const Path<Y>& v,
+  static BLYSK_INLINE void light_lamp(const ShadeJob& job, const LawEnds<Y>& ends, const Path<Y>& v,
                                       const Path<Y>& l, const Span<Y>& span, LampRow<Y>& lamp) {
-    lamp.n_l = Law::dot_along(span.turn, na, nb, l);
+    const Surface& s = job.draw->surface;
+    lamp.n_l = Law::dot_of(job, span.turn, ends, l);
     const V3<Y>& v_middle = v.far ? v.first : v.middle;
     const V3<Y>& v_last = v.far ? v.first : v.last;
     if (s.model == LightingModel::phong) {
@@ -261,7 +282,7 @@ struct RowMethod {
         h.middle = made_unit(plus(l.middle, v_middle));
         h.last = made_unit(plus(l.last, v_last));
       }
-      lamp.n_h = Law::dot_along(span.turn, na, nb, h);
+      lamp.n_h = Law::dot_of(job, span.turn, ends, h);
     }
   }
 
@@ -290,7 +311,7 @@ struct RowMethod {
       P c = s.model == LightingModel::blinn ? Law::cosine(row.n_h, point, far && far_viewer)
                                             : P(2.0f) * n_l * n_v - value(row.l_v, point.at);
       c = min(max(c, zero), one);
-      const P lobe = select(n_l > zero, specular_lobe(c * c, s), zero);
+      const P lobe = select(n_l > zero, lobe_of_cosine(c, s), zero);
       sum.specular = plus_scaled(sum.specular, s.lamp[i].specular, lobe);
     }
     return sum;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/random.h"
 #include "shading/testing.h"
 
 namespace blysk::reference {
@@ -301,6 +302,121 @@ TEST(row_normals_reference, matrix_block) {
   }
   expect_near(exact_edges.at(10, 6), slerp(b, c, 6.0 / 16));
   expect_near(exact_edges.at(8, 0), t.node[8][0]);
+}
+
+double angle_deg(Vec3d a, Vec3d b) { return std::atan2(length(cross(a, b)), dot(a, b)) * 180 / kPi; }
+
+// Random unit vectors within a cone of this full angle, or on its rim.
+enum class In { cone, rim };
+Vec3d vector_in(In in, double full_deg, Random& random) {
+  const double lowest = std::cos(full_deg / 2 * kPi / 180), turn = 2 * kPi * double{random.unit()};
+  const double z = in == In::rim ? lowest : 1 - (1 - lowest) * double{random.unit()},
+               r = std::sqrt(1 - z * z);
+  return {r * std::cos(turn), r * std::sin(turn), z};
+}
+
+Row9 exact_row(Vec3d a, Vec3d b) {
+  Row9 row;
+  for (std::size_t k = 0; k < 9; ++k) row[k] = slerp(a, b, static_cast<double>(k) / 8);
+  return row;
+}
+
+template <class Make>
+RowErrors matrix_errors(Make make, In in, double full_deg) {
+  RowErrors e;
+  Random random(1);
+  for (int trial = 0; trial < 2000; ++trial) {
+    Vec3d n[4];
+    for (Vec3d& v : n) v = vector_in(in, full_deg, random);
+    const Matrix9 found = matrix_block(make, n[0], n[1], n[2], n[3]),
+                  exact = matrix_block(exact_row, n[0], n[1], n[2], n[3]);
+    for (std::size_t i = 0; i < 9; ++i) {
+      for (std::size_t j = 0; j < 9; ++j) e.take(found[i][j], exact[i][j]);
+    }
+  }
+  return e;
+}
+
+// C.6 prints the largest errors of random corners; those here are other random ones, and come within 6 %.
+// Corners on the cone's rim are the worst.
+TEST(row_normals_reference, errors_of_matrix_blocks) {
+  const auto paper = [](Vec3d a, Vec3d b) { return chebyshev_row(kChebyshevPaper, a, b); };
+  const auto minimax = [](Vec3d a, Vec3d b) {  // C.3, "minimax"
+    const double d = dot(a, b), c = 0.980833 + d * (0.023373 - d * 0.004254), e = 1 - c;
+    return chebyshev_row(a, b, d, c, 0.125168 + e * (2.463230 + e * 60.481425));
+  };
+  const auto direct = [](Vec3d a, Vec3d b) { return weighted_row(kRowWeightsCubic, a, b); };
+  const struct {
+    double full_deg, length, angle;
+  } rows[] = {{10, 0.016, 0.66}, {30, 0.017, 1.63}, {60, 0.030, 1.91}, {90, 0.048, 1.97}};
+  for (const auto& r : rows) {
+    SCOPED_TRACE(r.full_deg);
+    const RowErrors of_paper = matrix_errors(paper, In::cone, r.full_deg);
+    EXPECT_NEAR(of_paper.length, r.length, 0.06 * r.length);
+    EXPECT_NEAR(of_paper.angle, r.angle, 0.06 * r.angle);
+    EXPECT_GE(matrix_errors(paper, In::rim, r.full_deg).length, of_paper.length);
+    const RowErrors of_minimax = matrix_errors(minimax, In::cone, r.full_deg);
+    EXPECT_NEAR(of_minimax.length, 0.004, 0.0005);
+    EXPECT_GE(of_minimax.angle, 0.04);
+    EXPECT_LE(of_minimax.angle, 0.245);
+    const RowErrors of_direct = matrix_errors(direct, In::cone, r.full_deg);
+    EXPECT_GE(of_direct.length, 0.00015);
+    EXPECT_LE(of_direct.length, 0.00105);
+    EXPECT_LE(of_direct.angle, 0.0225);
+  }
+  const auto halved = [](Vec3d a, Vec3d b) {
+    const std::vector<Vec3d> row = halved_row(a, b, 9);
+    Row9 r;
+    std::copy(row.begin(), row.end(), r.begin());
+    return r;
+  };
+  EXPECT_LT(matrix_errors(halved, In::rim, 90).vector, 1e-14);
+}
+
+// How far nodes of a triangle are from arcs between arcs: C.6's triangle block, Phong's linear normals, and
+// ours with exact edges.
+struct FarFromArcs {
+  double block = 0, inner = 0, phong = 0, edges = 0;  // degrees; `inner`: of the block, not on edge BC
+
+  FarFromArcs(In in, double full_deg) {
+    Random random(1);
+    for (int trial = 0; trial < 1000; ++trial) {
+      const Vec3d a = vector_in(in, full_deg, random), b = vector_in(in, full_deg, random),
+                  c = vector_in(in, full_deg, random);
+      const TriangleBlock nodes = triangle_block(exact_row, a, b, c);
+      const TriangleNodes ours(a, b, c, 16);
+      for (int j = 0; j < 16; ++j) {
+        const double v = j / 16.0;
+        const Vec3d left = slerp(a, c, v), right = slerp(b, c, v);
+        for (int i = 0; i + j <= 16; ++i) {
+          const Vec3d exact = slerp(left, right, static_cast<double>(i) / (16 - j));
+          const double u = i / 16.0,
+                       found = angle_deg(nodes.node[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)],
+                                         exact);
+          block = std::max(block, found);
+          if (i + j < 16) inner = std::max(inner, found);
+          phong = std::max(phong, angle_deg(a * (1 - u - v) + b * u + c * v, exact));
+          edges = std::max(edges, angle_deg(ours.at(i, j), exact));
+        }
+      }
+    }
+  }
+};
+
+// Of random corners again: the block's within a quarter of what is printed, Phong's within 5 %.
+TEST(row_normals_reference, triangle_blocks_against_arcs) {
+  const struct {
+    double full_deg, block, phong;
+  } rows[] = {{10, 0.007, 0.005}, {30, 0.19, 0.13}, {60, 1.36, 1.05}, {90, 3.5, 3.9}};
+  for (const auto& r : rows) {
+    SCOPED_TRACE(r.full_deg);
+    const FarFromArcs random(In::cone, r.full_deg), worst(In::rim, r.full_deg);
+    EXPECT_NEAR(random.block, r.block, 0.25 * r.block);
+    EXPECT_NEAR(random.phong, r.phong, std::max(0.05 * r.phong, 0.0005));
+    EXPECT_LT(random.inner, random.block);  // always the hypotenuse
+    EXPECT_GT(worst.block, random.block);
+    EXPECT_LT(worst.edges, 0.01);
+  }
 }
 
 }  // namespace

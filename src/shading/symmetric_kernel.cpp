@@ -11,7 +11,7 @@ namespace blysk::BLYSK_ISA {
 namespace {
 
 struct SymmetricLaw : SymmetricRow {
-  static constexpr int kRowSetting = 1;
+  static constexpr int kRowSetting = 1, kEndsSetting = -1;
   static BLYSK_INLINE RowRoot root_of(const ShadeJob& job) { return static_cast<RowRoot>(job.settings[0]); }
 
   template <class Y, class M>
@@ -25,6 +25,11 @@ struct SymmetricLaw : SymmetricRow {
       direct = direct | (own_root_error(c) * Y(power) > Y(1.0f / 510));
     }
     return root_terms(root, c);
+  }
+  template <class Y>
+  static BLYSK_INLINE auto dot_of(const ShadeJob&, const RootTerms<Y>& turn, const LawEnds<Y>& ends,
+                                  const Path<Y>& x) {
+    return SymmetricRow::dot_along(turn, ends.first, ends.last, x);
   }
 
   template <class F, class P>

@@ -180,7 +180,7 @@ class TextureCache {
       const LampAngles<F32> a = lamp_angles(s, s.lamp[lamp], stance, where);
       I32 word = fixed(a.cos_l) & I32(0xffff);
       if (s.model != LightingModel::lambert) {
-        word = word | shift_left<16>(fixed(specular_lobe(min(a.square, F32(1.0f)), s)));
+        word = word | shift_left<16>(fixed(lobe_of_argument(min(a.lobe, F32(1.0f)), s)));
       }
       store_masked(inside, word, words + lamp * kTextureWords + j * kTextureRow + to_int(i));
     }

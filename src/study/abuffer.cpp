@@ -37,7 +37,7 @@ Result<std::vector<TruthResult>> measure_truths(const StudyOptions& options) {
   if (options.scenes.empty()) names.insert(names.begin(), {"xfighter", "slivers"});
   std::vector<TruthResult> results;
   for (const std::string& name : names) {
-    if (options.progress) options.progress(name + " against the truth");
+    if (options.progress) options.progress("measuring " + name + " against the truth");
     const Result<TruthScene> scene = truth_scene(name, options.limits);
     if (!scene) return scene.error();
     Result<TruthResult> result = measure_truth(*scene, "supersample:n=4", options.threads);
@@ -68,22 +68,23 @@ SceneResult measure_all(const StudyScene& scene, const SceneRow* row, ThreadPool
                         .height = scene.height,
                         .triangles_in = scene.triangles_in,
                         .triangles = scene.triangles.size()};
-  std::vector<Variant> variants = variants_of(kPolicies, 1, kMostFragments);
-  variants.push_back({.kind = Variant::Kind::zbuffer});
-  variants.push_back({.kind = Variant::Kind::carpenter});
-  Measured measured = measure(scene, Order::random, kSeed, variants, threads);
-  result.complexity = measured.complexity;
-  result.live = std::move(measured.live);
-  result.carpenter = measured.quality.back();
-  measured.quality.pop_back();
-  result.zbuffer = measured.quality.back();
-  measured.quality.pop_back();
-  result.quality = std::move(measured.quality);
-
-  const std::vector<Variant> some = variants_of(kExpectedPolicies, 3, 3);
+  std::vector<Submission> runs = {{Order::random, kSeed, variants_of(kPolicies, 1, kMostFragments)}};
+  runs[0].variants.push_back({.kind = Variant::Kind::zbuffer});
+  runs[0].variants.push_back({.kind = Variant::Kind::carpenter});
   for (const OrderRow& order : kOtherOrders) {
-    result.orders.push_back(
-        {std::string(order.name), measure(scene, order.order, order.seed, some, threads).quality});
+    runs.push_back({order.order, order.seed, variants_of(kExpectedPolicies, 3, 3)});
+  }
+  std::vector<Measured> measured = measure(scene, runs, threads);
+  Measured& all = measured[0];
+  result.complexity = all.complexity;
+  result.live = std::move(all.live);
+  result.carpenter = all.quality.back();
+  all.quality.pop_back();
+  result.zbuffer = all.quality.back();
+  all.quality.pop_back();
+  result.quality = std::move(all.quality);
+  for (std::size_t i = 0; i < std::size(kOtherOrders); ++i) {
+    result.orders.push_back({std::string(kOtherOrders[i].name), std::move(measured[i + 1].quality)});
   }
   if (scene.common_memory) result.memory = measure_memory(scene, Order::random, kSeed, threads);
   return result;
@@ -124,18 +125,18 @@ Result<StudyReport> study_abuffer(const StudyOptions& options) {
     const bool wanted =
         options.scenes.empty() || std::ranges::find(options.scenes, row.name) != options.scenes.end();
     if (!wanted) continue;
-    if (options.progress) options.progress(row.name);
+    if (options.progress) options.progress("measuring " + std::string(row.name));
     if (const Status status = add(study::make_scene(row), &row); !status) return status.error();
   }
   for (const std::string& model : options.models) {
-    if (options.progress) options.progress(model);
+    if (options.progress) options.progress("measuring " + model);
     const Status status = add(study::model_scene(model, options.limits), nullptr);
     if (!status) return status.error();
   }
   std::vector<study::TurningResult> turning;
   for (const std::string_view shape : {"xfighter", "trefoil?detail=384"}) {
     if (!options.scenes.empty()) break;
-    if (options.progress) options.progress("a turning model");
+    if (options.progress) options.progress("measuring a turning model");
     const Result<study::TurningResult> result = study::measure_turning(shape, threads);
     if (!result) return result.error();
     turning.push_back(*result);

@@ -45,9 +45,16 @@ struct Measured {
   std::vector<Quality> quality;     ///< of each variant, against unlimited lists
 };
 
-/// Draws one scene in one order with every variant, in bands of rows side by side.
-[[nodiscard]] Measured measure(const StudyScene& scene, Order order, std::uint64_t seed,
-                               std::span<const Variant> variants, ThreadPool& threads);
+/// An order of the triangles, and what is drawn in it.
+struct Submission {
+  Order order = Order::given;
+  std::uint64_t seed = 0;
+  std::vector<Variant> variants = {};  ///< of fragment lists with a limit, the z-buffer, Carpenter's
+};
+
+/// Draws one scene in each order with every variant, in bands of rows side by side. Gives one result a run.
+[[nodiscard]] std::vector<Measured> measure(const StudyScene& scene, std::span<const Submission> runs,
+                                            ThreadPool& threads);
 
 /// A way to split a pixel's memory, and what it costs.
 struct MemoryRow {

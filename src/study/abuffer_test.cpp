@@ -33,7 +33,8 @@ TEST_P(AbufferScenes, agree_with_earlier_figures) {
   const auto scene = make_scene(row);
   ASSERT_TRUE(scene);
   ThreadPool threads(2);
-  const Measured m = measure(*scene, Order::random, 1, expected_variants(), threads);
+  const Submission run = {Order::random, 1, expected_variants()};
+  const Measured m = measure(*scene, {&run, 1}, threads)[0];
   const auto near = [&](double is, double wanted, double factor) {
     EXPECT_LE(is, wanted * factor) << row.name;
     EXPECT_GE(is, wanted / factor) << row.name;

@@ -75,7 +75,7 @@ Result<PictureErrors> picture_errors(const PictureScene& scene, MethodKind kind,
     if (!difference) return difference.error();
     errors.differences.push_back(*difference);
   }
-  if (rounds.count == 0) return errors;
+  if (rounds.most == 0) return errors;
   std::vector<std::function<void()>> runs;
   for (const std::string& method : methods) {
     runs.emplace_back([&renderer, &scene, &frame, options = with_method(scene.options, kind, method)] {

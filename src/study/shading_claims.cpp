@@ -195,9 +195,10 @@ StudyClaim lobes_pay_claim(const ShadingMeasurements& m) {
                   : faster > 0                   ? Verdict::in_part
                                                  : Verdict::fails;
   claim.why =
-      "The power of a whole n is six products for 50 and twelve for 255, out of the square of N.H; W takes "
-      "the root of it first, which costs what its four squarings save. It pays where the power is found by "
-      "polynomials, for any other n.";
+      "The power of a whole n is six products for 50 and twelve for 255, out of the square of N.H, which a "
+      "division beside other work gives; W takes N.H itself, and with it the reciprocal root of |L + V|, as "
+      "much work as its four squarings save. It pays where the power is found by polynomials, for any other "
+      "n.";
   return claim;
 }
 

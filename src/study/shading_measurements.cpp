@@ -19,7 +19,11 @@ struct LobeRun {
   float shininess;
 };
 constexpr LobeRun kLobeRuns[] = {{64, 50}, {256, 50}, {256, 255}, {256, 50.5f}};
-constexpr int kSide = 256, kSmallSide = 64, kSpanWidth = 512;
+struct Sizes {
+  int side, span_width, span_height;  // of the pictures with triangles, and with spans
+};
+// Without SIMD a picture takes many times as long: parts of it say the same.
+constexpr Sizes kSizes = {256, 512, 64}, kScalarSizes = {128, 512, 32}, kQuickSizes = {64, 256, 64};
 
 std::optional<std::size_t> index_of(const std::vector<std::string>& names, std::string_view name) {
   const auto found = std::ranges::find(names, name);
@@ -41,16 +45,47 @@ void list_methods(ShadingMeasurements& m) {
   }
 }
 
-std::vector<SpeedScene> speed_scenes(bool quick) {
+std::vector<SpeedScene> speed_scenes(const Sizes& sizes, bool quick) {
   std::vector<SpeedScene> scenes;
-  for (const int pixels : kTriangleSizes) scenes.push_back(triangles_of(pixels, quick ? kSmallSide : kSide));
+  for (const int pixels : kTriangleSizes) scenes.push_back(triangles_of(pixels, sizes.side));
   for (const int pixels : kSpans) {
-    if (!quick || pixels == 64) scenes.push_back(spans_of(pixels, quick ? kSide : kSpanWidth, kSide / 4));
+    if (quick && pixels != 64) continue;
+    scenes.push_back(spans_of(pixels, sizes.span_width, sizes.span_height));
   }
   return scenes;
 }
 
 using Tell = std::function<void(const std::string& what)>;
+
+void measure_speeds(bool quick, const Rounds& rounds, const Tell& tell, ShadingMeasurements& m) {
+  const Rounds few = quick ? Rounds{1, 0.0} : Rounds{5, 0.0};
+  const Sizes &sizes = quick ? kQuickSizes : kSizes, &scalar_sizes = quick ? kQuickSizes : kScalarSizes;
+  const std::vector<SpeedScene> scenes = speed_scenes(sizes, quick),
+                                of_scalar = speed_scenes(scalar_sizes, quick);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    tell("timing shading, " + scenes[i].name);
+    SpeedColumn column{scenes[i].name, shading_cost(scenes[i], m.methods, Isa::best, rounds), {}};
+    if (have(Isa::scalar)) column.scalar = shading_cost(of_scalar[i], m.methods, Isa::scalar, few);
+    m.speeds.push_back(std::move(column));
+  }
+  tell("timing settings and lobes");
+  m.rows = row_cost(rounds);
+  m.normalisations = normalisation_cost(rounds);
+  m.plain_lobes = plain_lobe_cost(rounds);
+  const auto scene_of = [&](std::string_view name) {
+    return *std::ranges::find(scenes, name, &SpeedScene::name);
+  };
+  m.variant_speeds = shading_cost(scene_of("span 64"), m.variants, Isa::best, rounds);
+  SpeedScene matt = scene_of("100 pixels");
+  matt.options.lighting = "lambert";
+  m.diffuse_speeds = shading_cost(matt, m.variants, Isa::best, rounds);
+  m.small_speeds = shading_cost(scene_of("100 pixels"), m.variants, Isa::best, rounds);
+  for (const LobeRun& run : kLobeRuns) {
+    m.lobe_speeds.push_back(
+        {run.span, run.shininess,
+         lobe_cost(spans_of(run.span, sizes.span_width, sizes.span_height), run.shininess, m.lobes, rounds)});
+  }
+}
 
 Status add_errors(const Result<PictureScene>& scene, const Rounds& rounds, const Tell& tell,
                   ShadingMeasurements& m) {
@@ -126,15 +161,15 @@ Result<ShadingMeasurements> measure_shading(const StudyOptions& options) {
     if (options.progress) options.progress(what);
   };
   const Rounds rounds = options.quick ? Rounds{3, 0.02} : Rounds{};
-  const Rounds few = options.quick ? Rounds{1, 0.0} : Rounds{5, 0.0};
   ShadingMeasurements m;
   list_methods(m);
+  tell("timing the processor's clock");
   m.clock_ghz = clock_hz() * 1e-9;
   m.best = isa_name(available_isas().back());
 
   std::vector<PictureScene> models;  // read first: one that cannot be is told at once
   for (const std::string& model : options.models) {
-    tell("nothing yet, reading " + model);
+    tell("reading " + model);
     Result<PictureScene> scene = model_picture(model, options.limits, options.quick);
     if (!scene) return scene.error();
     models.push_back(std::move(*scene));
@@ -143,31 +178,7 @@ Result<ShadingMeasurements> measure_shading(const StudyOptions& options) {
   for (const Walk& walk : walks()) m.counts.emplace(walk.name, count_operations(walk));
   tell("timing the papers' programs");
   m.walks = walk_cost(rounds);
-  const std::vector<SpeedScene> scenes = speed_scenes(options.quick);
-  for (const SpeedScene& scene : scenes) {
-    tell("timing shading, " + scene.name);
-    SpeedColumn column{scene.name, shading_cost(scene, m.methods, Isa::best, rounds), {}};
-    if (have(Isa::scalar)) column.scalar = shading_cost(scene, m.methods, Isa::scalar, few);
-    m.speeds.push_back(std::move(column));
-  }
-  tell("timing settings and lobes");
-  m.rows = row_cost(rounds);
-  m.normalisations = normalisation_cost(rounds);
-  m.plain_lobes = plain_lobe_cost(rounds);
-  const auto scene_of = [&](std::string_view name) {
-    return *std::ranges::find(scenes, name, &SpeedScene::name);
-  };
-  m.variant_speeds = shading_cost(scene_of("span 64"), m.variants, Isa::best, rounds);
-  SpeedScene matt = scene_of("100 pixels");
-  matt.options.lighting = "lambert";
-  m.diffuse_speeds = shading_cost(matt, m.variants, Isa::best, rounds);
-  m.small_speeds = shading_cost(scene_of("100 pixels"), m.variants, Isa::best, rounds);
-  for (const LobeRun& run : kLobeRuns) {
-    m.lobe_speeds.push_back({run.span, run.shininess,
-                             lobe_cost(spans_of(run.span, options.quick ? kSide : kSpanWidth, kSide / 4),
-                                       run.shininess, m.lobes, rounds)});
-  }
-
+  measure_speeds(options.quick, rounds, tell, m);
   const Status status = measure_pictures(options, models, tell, m);
   if (!status) return status.error();
   return m;

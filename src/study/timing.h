@@ -13,12 +13,16 @@ struct Timing {
 };
 
 struct Rounds {
-  int count = 25;
+  int most = 25;
   double least_ms = 0.15;  ///< of one sample; short runs are repeated until then
 };
 
-/// Runs all of them in turn, round after round, so that what disturbs the machine disturbs all. Other
-/// programs only ever add time: the best round says most.
+/// Other programs only ever add time, so the best sample says most; it is believed when it comes again:
+/// three samples within 1 % of it, itself among them.
+[[nodiscard]] bool settled(std::span<const double> samples);
+
+/// Runs all of them in turn, round after round, so that what disturbs the machine disturbs all: until every
+/// one is settled, or as often as `rounds` says.
 [[nodiscard]] std::vector<Timing> time_in_turn(std::span<const std::function<void()>> runs,
                                                const Rounds& rounds);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lighting/lobe_reference.h"
+#include "shading/normals_reference.h"
 #include "study/counted.h"
 
 namespace blysk::study {
@@ -153,6 +154,25 @@ Terms<T> clamped(const Terms<T>& terms) {
 template <class T>
 T row_number(int value) {
   return input<T>(value);
+}
+
+/// Every row in turn: what `walk` does before it begins its pixels is the row's.
+template <class T, class Out, class Walk>
+void each_row(const WalkTriangle<T>& t, Out& out, const Walk& walk) {
+  for (std::size_t r = 0; r < t.rows.size(); ++r) {
+    out.begin(Step::row);
+    walk(r, t.rows[r]);
+  }
+}
+
+/// What is linear on the screen, at a row's first and last pixel.
+template <class T>
+Vec3<T> at_left(const reference::LinearNormalsOf<T>& n, const PixelRow& row) {
+  return n.at(row_number<T>(row.left), row_number<T>(row.y));
+}
+template <class T>
+Vec3<T> at_right(const reference::LinearNormalsOf<T>& n, const PixelRow& row) {
+  return n.at(row_number<T>(row.right), row_number<T>(row.y));
 }
 
 }  // namespace blysk::study

@@ -35,9 +35,7 @@ void walk_gouraud(const WalkTriangle<T>& t, Out& out) {
         {(lit[to].diffuse - lit[from].diffuse) / rows, (lit[to].specular - lit[from].specular) / rows}};
   };
   Edge upper = edge(0, 1), lower = edge(1, 2), across = edge(0, 2);
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
-    const PixelRow& row = t.rows[r];
-    out.begin(Step::row);
+  each_row(t, out, [&](std::size_t r, const PixelRow& row) {
     Edge& left = row.y < kAverageCorners[1][1] ? upper : lower;
     Terms<T> at = left.at, step{};
     if (row.steps() > 0) {
@@ -51,7 +49,7 @@ void walk_gouraud(const WalkTriangle<T>& t, Out& out) {
       out.put(r, x, clamped(at));
       at += step;
     }
-  }
+  });
 }
 
 /// The plane through the light of the corners: one increment for all rows.
@@ -65,9 +63,7 @@ void walk_planes(const WalkTriangle<T>& t, const Terms<T> (&lit)[3], Out& out) {
   const auto d = reference::constant_increments<T>(diffuse), s = reference::constant_increments<T>(specular);
   const Terms<T> step = {d.dx, s.dx}, down = {d.dy, s.dy};
   Terms<T> below_corner = lit[0];
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
-    const PixelRow& row = t.rows[r];
-    out.begin(Step::row);
+  each_row(t, out, [&](std::size_t r, const PixelRow& row) {
     const T right = row_number<T>(row.left) - t.corner[0].x;
     Terms<T> at = {below_corner.diffuse + right * step.diffuse,
                    below_corner.specular + right * step.specular};
@@ -77,7 +73,7 @@ void walk_planes(const WalkTriangle<T>& t, const Terms<T> (&lit)[3], Out& out) {
       out.put(r, x, clamped(at));
       at += step;
     }
-  }
+  });
 }
 
 template <class T, class Out>
@@ -102,9 +98,7 @@ void walk_quadratic(const WalkTriangle<T>& t, Out& out) {
   };
   const auto diffuse = surface(&Terms<T>::diffuse), specular = surface(&Terms<T>::specular);
   const Terms<T> bend = {2 * diffuse.a, 2 * specular.a};
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
-    const PixelRow& row = t.rows[r];
-    out.begin(Step::row);
+  each_row(t, out, [&](std::size_t r, const PixelRow& row) {
     const T x0 = row_number<T>(row.left) - t.corner[0].x, y0 = row_number<T>(row.y) - t.corner[0].y;
     Terms<T> at = {diffuse.at(x0, y0), specular.at(x0, y0)};
     Terms<T> step = {diffuse.difference(x0, y0), specular.difference(x0, y0)};
@@ -114,7 +108,7 @@ void walk_quadratic(const WalkTriangle<T>& t, Out& out) {
       at += step;
       step += bend;
     }
-  }
+  });
 }
 
 /// What a row's two cubics are made of; the middle normals are made unit, as the row's ends are.
@@ -157,20 +151,17 @@ template <CubicForm kForm, class T, class Out>
 void walk_cubic(const WalkTriangle<T>& t, Out& out) {
   out.begin(Step::triangle);
   const auto normals = reference::linear_normals<T>(t.corner, t.normal);
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
-    const PixelRow& row = t.rows[r];
-    out.begin(Step::row);
-    const T left = row_number<T>(row.left), y = row_number<T>(row.y);
+  each_row(t, out, [&](std::size_t r, const PixelRow& row) {
     if (row.steps() < 4) {
-      Vec3<T> n = normals.at(left, y);
+      Vec3<T> n = at_left(normals, row);
       out.begin(Step::pixel);
       for (int x = 0; x <= row.steps(); ++x) {
         out.put(r, x, clamped(light_unit(t, normalize(n))));
         n = n + normals.horizontal;
       }
-      continue;
+      return;
     }
-    const RowCubics<T> i(t, normals.at(left, y), normals.at(row_number<T>(row.right), y));
+    const RowCubics<T> i(t, at_left(normals, row), at_right(normals, row));
     const T h = 1 / row_number<T>(row.steps());
     if constexpr (kForm == CubicForm::horner) {
       T p = T(0);
@@ -188,7 +179,7 @@ void walk_cubic(const WalkTriangle<T>& t, Out& out) {
         specular.next();
       }
     }
-  }
+  });
 }
 
 }  // namespace blysk::study

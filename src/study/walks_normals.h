@@ -13,16 +13,14 @@ void walk_phong(const WalkTriangle<T>& t, Out& out) {
   using std::sqrt;
   out.begin(Step::triangle);
   const auto normals = reference::linear_normals<T>(t.corner, t.normal);
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
-    const PixelRow& row = t.rows[r];
-    out.begin(Step::row);
-    Vec3<T> n = normals.at(row_number<T>(row.left), row_number<T>(row.y));
+  each_row(t, out, [&](std::size_t r, const PixelRow& row) {
+    Vec3<T> n = at_left(normals, row);
     out.begin(Step::pixel);
     for (int x = 0; x <= row.steps(); ++x) {
       out.put(r, x, light_scaled<kLit>(t, n, 1 / sqrt(dot(n, n))));
       n = n + normals.horizontal;
     }
-  }
+  });
 }
 
 /// Phong shading as table 4.4 has it: normal, light and viewer interpolated, all vectors made unit, three
@@ -43,11 +41,8 @@ void walk_phong_full(const WalkTriangle<T>& t, Out& out) {
   const auto normals = reference::linear_normals<T>(t.corner, t.normal);
   const auto from_light = reference::linear_normals<T>(t.corner, {-t.light, -t.light, -t.light});
   const auto to_viewer = reference::linear_normals<T>(t.corner, {viewer, viewer, viewer});
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
-    const PixelRow& row = t.rows[r];
-    out.begin(Step::row);
-    const T left = row_number<T>(row.left), y = row_number<T>(row.y);
-    Vec3<T> n = normals.at(left, y), l = from_light.at(left, y), v = to_viewer.at(left, y);
+  each_row(t, out, [&](std::size_t r, const PixelRow& row) {
+    Vec3<T> n = at_left(normals, row), l = at_left(from_light, row), v = at_left(to_viewer, row);
     out.begin(Step::pixel);
     for (int x = 0; x <= row.steps(); ++x) {
       const auto i = reference::light_point<T>(lighting, l, n, v);
@@ -57,7 +52,7 @@ void walk_phong_full(const WalkTriangle<T>& t, Out& out) {
       l = l + from_light.horizontal;
       v = v + to_viewer.horizontal;
     }
-  }
+  });
 }
 
 /// The paper's polynomial in the squared length, which is found by additions (relief specification 2.2, 2.3).
@@ -65,10 +60,8 @@ template <class T, class Out>
 void walk_fast_normalize(const WalkTriangle<T>& t, Out& out) {
   out.begin(Step::triangle);
   const auto normals = reference::linear_normals<T>(t.corner, t.normal);
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
-    const PixelRow& row = t.rows[r];
-    out.begin(Step::row);
-    Vec3<T> n = normals.at(row_number<T>(row.left), row_number<T>(row.y));
+  each_row(t, out, [&](std::size_t r, const PixelRow& row) {
+    Vec3<T> n = at_left(normals, row);
     reference::SquaredLengthsOf<T> k(n, normals.horizontal);
     out.begin(Step::pixel);
     for (int x = 0; x <= row.steps(); ++x) {
@@ -76,7 +69,7 @@ void walk_fast_normalize(const WalkTriangle<T>& t, Out& out) {
       n = n + normals.horizontal;
       k.next();
     }
-  }
+  });
 }
 
 /// Odd pixels made unit by the polynomial, even ones half the sum of their neighbours (relief specification
@@ -90,10 +83,8 @@ void walk_half_sum(const WalkTriangle<T>& t, Out& out) {
     return n * reference::inverse_length<T>(kInverseLengthPaper, k);
   };
   const auto lit = [&](const Vec3<T>& n) { return clamped(light_unit(t, n)); };
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
-    const PixelRow& row = t.rows[r];
-    out.begin(Step::row);
-    Vec3<T> raw = normals.at(row_number<T>(row.left), row_number<T>(row.y));
+  each_row(t, out, [&](std::size_t r, const PixelRow& row) {
+    Vec3<T> raw = at_left(normals, row);
     reference::SquaredLengthsOf<T> k(raw, two_steps);
     out.begin(Step::pixel);
     Vec3<T> before = unit(raw, k.value());
@@ -111,7 +102,7 @@ void walk_half_sum(const WalkTriangle<T>& t, Out& out) {
       raw = raw + normals.horizontal;
       out.put(r, x, lit(unit(raw, dot(raw, raw))));
     }
-  }
+  });
 }
 
 /// Six additions a pixel: along a row the form of six vectors is a parabola (relief specification 2.4).
@@ -122,10 +113,8 @@ void walk_barycentric(const WalkTriangle<T>& t, Out& out) {
   // Barycentric coordinates of corners 0 and 1 are linear: those of vectors (1, 0, 0) and (0, 1, 0).
   const Vec3<T> axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const auto c = reference::linear_normals<T>(t.corner, axes);
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
-    const PixelRow& row = t.rows[r];
-    out.begin(Step::row);
-    const Vec3<T> c0 = c.at(row_number<T>(row.left), row_number<T>(row.y));
+  each_row(t, out, [&](std::size_t r, const PixelRow& row) {
+    const Vec3<T> c0 = at_left(c, row);
     const Vec3<T> c1 = c0 + c.horizontal, c2 = c1 + c.horizontal;
     Vec3<T> n = form.at(c0.x, c0.y);
     const Vec3<T> second = form.at(c1.x, c1.y);
@@ -137,7 +126,7 @@ void walk_barycentric(const WalkTriangle<T>& t, Out& out) {
       n = n + step;
       step = step + bend;
     }
-  }
+  });
 }
 
 }  // namespace blysk::study

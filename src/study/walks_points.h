@@ -41,10 +41,8 @@ void walk_texels(const WalkTriangle<T>& t, const TexturePoints<T>& texture, Out&
   // Shares of corners 1 and 2 are linear: those of vectors (1, 0, 0) and (0, 1, 0).
   const Vec3<T> axes[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const auto shares = reference::linear_normals<T>(t.corner, axes);
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
-    const PixelRow& row = t.rows[r];
-    out.begin(Step::row);
-    const Vec3<T> first = shares.at(row_number<T>(row.left), row_number<T>(row.y));
+  each_row(t, out, [&](std::size_t r, const PixelRow& row) {
+    const Vec3<T> first = at_left(shares, row);
     T u = first.x, v = first.y;
     out.begin(Step::pixel);
     for (int x = 0; x <= row.steps(); ++x) {
@@ -55,7 +53,7 @@ void walk_texels(const WalkTriangle<T>& t, const TexturePoints<T>& texture, Out&
       u += shares.horizontal.x;
       v += shares.horizontal.y;
     }
-  }
+  });
 }
 
 /// Steps of an edge that the default setting gives the average triangle; the kernel would not take a texture

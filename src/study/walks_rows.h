@@ -20,6 +20,21 @@ T inverse_root(const T& m) {
   if constexpr (kRoot == Root::shift) return reference::shift_root_of(m);
 }
 
+/// Rows from their unit end normals; those of one pixel are lit at once.
+template <class T, class Out, class Row>
+void each_row_between(const WalkTriangle<T>& t, Out& out, const Row& between) {
+  out.begin(Step::triangle);
+  const auto normals = reference::linear_normals<T>(t.corner, t.normal);
+  each_row(t, out, [&](std::size_t r, const PixelRow& row) {
+    const Vec3<T> a = normalize(at_left(normals, row));
+    if (row.steps() == 0) {
+      out.put(r, 0, clamped(light_unit(t, a)));
+      return;
+    }
+    between(r, row, a, normalize(at_right(normals, row)));
+  });
+}
+
 /// A dot product with the row's linear normals, from both ends.
 template <class T>
 struct Numerator {
@@ -43,18 +58,7 @@ Terms<T> from_dots(const T& diffuse, const T& specular) {
 /// Two pixels from one root, no division in the loop (section 6.2).
 template <Root kRoot, Lit kLit, class T, class Out>
 void walk_symmetric(const WalkTriangle<T>& t, Out& out) {
-  out.begin(Step::triangle);
-  const auto normals = reference::linear_normals<T>(t.corner, t.normal);
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
-    const PixelRow& row = t.rows[r];
-    out.begin(Step::row);
-    const T y = row_number<T>(row.y);
-    const Vec3<T> a = normalize(normals.at(row_number<T>(row.left), y));
-    if (row.steps() == 0) {
-      out.put(r, 0, clamped(light_unit(t, a)));
-      continue;
-    }
-    const Vec3<T> b = normalize(normals.at(row_number<T>(row.right), y));
+  each_row_between(t, out, [&](std::size_t r, const PixelRow& row, const Vec3<T>& a, const Vec3<T>& b) {
     const T steps = row_number<T>(row.steps());
     const T s = (2 * dot(a, b) - 2) / steps, c = -s / steps;
     const T bend = 2 * c;
@@ -75,7 +79,7 @@ void walk_symmetric(const WalkTriangle<T>& t, Out& out) {
       diffuse.next();
       if constexpr (kLit == Lit::both) specular.next();
     }
-  }
+  });
 }
 
 /// sin and cos of a small angle.
@@ -109,18 +113,7 @@ struct ArcCosine {
 template <class T, class Out>
 void walk_angular(const WalkTriangle<T>& t, Out& out) {
   using std::sqrt;
-  out.begin(Step::triangle);
-  const auto normals = reference::linear_normals<T>(t.corner, t.normal);
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
-    const PixelRow& row = t.rows[r];
-    out.begin(Step::row);
-    const T y = row_number<T>(row.y);
-    const Vec3<T> a = normalize(normals.at(row_number<T>(row.left), y));
-    if (row.steps() == 0) {
-      out.put(r, 0, clamped(light_unit(t, a)));
-      continue;
-    }
-    const Vec3<T> b = normalize(normals.at(row_number<T>(row.right), y));
+  each_row_between(t, out, [&](std::size_t r, const PixelRow& row, const Vec3<T>& a, const Vec3<T>& b) {
     const T steps = row_number<T>(row.steps()), cosine = dot(a, b);
     const T square = 1 - cosine * cosine;
     if (square <= T(1e-7)) {
@@ -131,7 +124,7 @@ void walk_angular(const WalkTriangle<T>& t, Out& out) {
         diffuse.next();
         specular.next();
       }
-      continue;
+      return;
     }
     // arccos without loss of digits for small angles (section 8.1)
     const T z = 2 - 2 * cosine;
@@ -147,24 +140,13 @@ void walk_angular(const WalkTriangle<T>& t, Out& out) {
       diffuse.next(twice);
       specular.next(twice);
     }
-  }
+  });
 }
 
 /// One polynomial of the place between the ends of a row (ours, for the per-fragment paper's of nine pixels).
 template <class T, class Out>
 void walk_parallel(const WalkTriangle<T>& t, Out& out) {
-  out.begin(Step::triangle);
-  const auto normals = reference::linear_normals<T>(t.corner, t.normal);
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
-    const PixelRow& row = t.rows[r];
-    out.begin(Step::row);
-    const T y = row_number<T>(row.y);
-    const Vec3<T> a = normalize(normals.at(row_number<T>(row.left), y));
-    if (row.steps() == 0) {
-      out.put(r, 0, clamped(light_unit(t, a)));
-      continue;
-    }
-    const Vec3<T> b = normalize(normals.at(row_number<T>(row.right), y));
+  each_row_between(t, out, [&](std::size_t r, const PixelRow& row, const Vec3<T>& a, const Vec3<T>& b) {
     const reference::ArcOf<T> arc(a, b);
     const T step = 2 / row_number<T>(row.steps());
     T place = T(-1);
@@ -173,7 +155,7 @@ void walk_parallel(const WalkTriangle<T>& t, Out& out) {
       out.put(r, x, clamped(light_unit(t, arc.at(place))));
       place += step;
     }
-  }
+  });
 }
 
 /// Nine pixels at a time by the printed Chebyshev polynomials; what is left of a row by the general form.
@@ -182,10 +164,8 @@ void walk_nines(const WalkTriangle<T>& t, Out& out) {
   out.begin(Step::triangle);
   const auto normals = reference::linear_normals<T>(t.corner, t.normal);
   const Vec3<T> eight_steps = normals.horizontal * T(8);
-  for (std::size_t r = 0; r < t.rows.size(); ++r) {
-    const PixelRow& row = t.rows[r];
-    out.begin(Step::row);
-    Vec3<T> raw = normals.at(row_number<T>(row.left), row_number<T>(row.y));
+  each_row(t, out, [&](std::size_t r, const PixelRow& row) {
+    Vec3<T> raw = at_left(normals, row);
     Vec3<T> a = normalize(raw);
     out.begin(Step::pixel);
     out.put(r, 0, clamped(light_unit(t, a)));
@@ -210,7 +190,7 @@ void walk_nines(const WalkTriangle<T>& t, Out& out) {
       }
       a = b;
     }
-  }
+  });
 }
 
 }  // namespace blysk::study

@@ -4,6 +4,7 @@ import json
 import math
 import os
 import re
+import signal
 import subprocess
 import sys
 import unittest
@@ -95,6 +96,25 @@ class Replicate(CommandTest):
         self.assertLessEqual({claim["verdict"] for claim in study["claims"]}, VERDICTS)
         self.fails(2, "replicate", "--study", "abuffer", "--scenes", "soup-7")
         self.fails(3, *words, "missing.obj")
+
+    def test_tells_a_terminal_what_goes_on_until_it_is_interrupted(self):
+        terminal, theirs = os.openpty()
+        process = self.start("replicate", "-o", ".", stdout=subprocess.DEVNULL, stderr=theirs)
+        os.close(theirs)
+        shown = b""
+        while shown.count(b" ...") < 3:  # not before a second has gone
+            shown += os.read(terminal, 1000)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(timeout=10), 130)
+        try:
+            while more := os.read(terminal, 1000):
+                shown += more
+        except OSError:  # how a terminal's end reads
+            pass
+        os.close(terminal)
+        self.assertRegex(shown, rb"^\r\x1b\[K[-|/\\\\] [a-z][^\r]* \.\.\.\r\x1b\[K")
+        self.assertTrue(shown.endswith(b"\r\x1b[K"), shown[-80:])
+        self.assertEqual(os.listdir(self.folder), ["square.obj"])
 
     def test_refusals(self):
         self.assertIn("--json", self.fails(2, "replicate", "--json", "--markdown"))
