@@ -7,23 +7,11 @@
 #include "antialias/sample_occlusion.h"
 #include "antialias/sample_tile.h"
 #include "geometry/bin_writer.h"
+#include "raster/clear_tile.h"
 #include "simd/kernels.h"
 
 namespace blysk::BLYSK_ISA {
 namespace {
-
-void clear(const TileJob& job) {
-  for (int i = 0; i < kTilePixels; i += kLanes) {
-    store(F32(0.0f), job.buffers->nearness + i);
-    store(I32(static_cast<std::int32_t>(kNoTriangle)), job.buffers->id + i);
-  }
-}
-
-void fill_background(const TileJob& job) {
-  for (int i = 0; i < kTilePixels; i += kLanes) {
-    store(I32(static_cast<std::int32_t>(job.background)), job.buffers->color + i);
-  }
-}
 
 // Below the picture's last row pixels may be open, as blocks are opened whole.
 int count_covered(const TileJob& job) {

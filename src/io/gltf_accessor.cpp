@@ -87,6 +87,12 @@ T load(const std::byte* from) {
   return value;
 }
 
+// Of unsigned components, as those of sparse indices are.
+std::uint64_t load_index(Component component, const std::byte* from) {
+  if (component == Component::u8) return load<std::uint8_t>(from);
+  return component == Component::u16 ? load<std::uint16_t>(from) : load<std::uint32_t>(from);
+}
+
 template <class Out, class T>
 Out convert(T value, bool normalized) {
   const auto out = static_cast<Out>(value);
@@ -227,21 +233,21 @@ void Accessors::copy(const Accessor& accessor, const Target<Out>& target, bool n
         convert_element<T>(row + i * from.base.stride, target.to + i * step, n, normalized);
       }
     }
-    with_type(accessor.sparse_indices.component, [&]<class I>(I) {
-      for (std::uint64_t k = 0; k < accessor.sparse_count; ++k) {
-        const auto element =
-            static_cast<std::uint64_t>(load<I>(from.sparse_indices.first + k * from.sparse_indices.stride));
-        if (element >= accessor.count) {
-          return context_.fail(accessor.json["sparse"]["indices"],
-                               "index " + std::to_string(element) + " is beyond the accessor's " +
-                                   std::to_string(accessor.count) + " elements");
-        }
-        if (element < target.first || element - target.first >= target.count) continue;
-        convert_element<T>(from.sparse_values.first + k * from.sparse_values.stride,
-                           target.to + (element - target.first) * step, n, normalized);
-      }
-    });
+    for (std::uint64_t k = 0; k < accessor.sparse_count; ++k) {
+      const std::uint64_t element = load_index(accessor.sparse_indices.component,
+                                               from.sparse_indices.first + k * from.sparse_indices.stride);
+      if (element >= accessor.count) return fail_beyond(accessor, element);
+      if (element < target.first || element - target.first >= target.count) continue;
+      convert_element<T>(from.sparse_values.first + k * from.sparse_values.stride,
+                         target.to + (element - target.first) * step, n, normalized);
+    }
   });
+}
+
+void Accessors::fail_beyond(const Accessor& accessor, std::uint64_t element) {
+  context_.fail(accessor.json["sparse"]["indices"], "index " + std::to_string(element) +
+                                                        " is beyond the accessor's " +
+                                                        std::to_string(accessor.count) + " elements");
 }
 
 void Accessors::read(int index, const Target<float>& target, bool integers_normalized) {

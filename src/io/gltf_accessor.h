@@ -73,6 +73,7 @@ class Accessors {
   [[nodiscard]] Parts parts(const Accessor& accessor);
   template <class Out>
   void copy(const Accessor& accessor, const Target<Out>& target, bool normalized);
+  void fail_beyond(const Accessor& accessor, std::uint64_t element);
 
   Context& context_;
   Buffers& buffers_;

@@ -4,7 +4,7 @@
 #include <hwy/cache_control.h>
 
 #include "geometry/bin_writer.h"
-#include "raster/tile.h"
+#include "raster/clear_tile.h"
 #include "simd/kernels.h"
 #include "simd/lanes.h"
 
@@ -68,20 +68,6 @@ class Occlusion {
   unsigned stale_ = 0;
   int waited_ = 0;
 };
-
-void clear(const TileJob& job) {
-  for (int i = 0; i < kTilePixels; i += kLanes) {
-    store(F32(0.0f), job.buffers->nearness + i);
-    store(I32(static_cast<std::int32_t>(kNoTriangle)), job.buffers->id + i);
-  }
-}
-
-// Colours are written where a triangle is seen; only a tile with gaps needs the background below them.
-void fill_background(const TileJob& job) {
-  for (int i = 0; i < kTilePixels; i += kLanes) {
-    store(I32(static_cast<std::int32_t>(job.background)), job.buffers->color + i);
-  }
-}
 
 int count_covered(const TileBuffers& tile) {
   int n = 0;

@@ -14,15 +14,15 @@ namespace blysk::BLYSK_ISA {
 namespace {
 
 // Of four times the middle's vector.
-struct Polynomial {
+struct MidScale {
   float q[3], lowest;
-  explicit constexpr Polynomial(const MidVector& p) : q(), lowest(static_cast<float>(p.lowest)) {
+  explicit constexpr MidScale(const MidVector& p) : q(), lowest(static_cast<float>(p.lowest)) {
     for (int i = 0; i < 3; ++i) q[i] = static_cast<float>(4 * p.q[i]);
   }
 };
 
 // In the order of the registry's choices.
-constexpr Polynomial kFits[] = {Polynomial(kMidVectorPaper), Polynomial(kMidVectorMinimax)};
+constexpr MidScale kMidScales[] = {MidScale(kMidVectorPaper), MidScale(kMidVectorMinimax)};
 
 struct Barycentric {
   template <class F>
@@ -35,7 +35,7 @@ struct Barycentric {
   struct Span {};
 
   template <class F>
-  static BLYSK_INLINE V3<F> mid_vector(const Polynomial& p, const V3<F>& a, const V3<F>& b, F c) {
+  static BLYSK_INLINE V3<F> mid_vector(const MidScale& p, const V3<F>& a, const V3<F>& b, F c) {
     const F scale = (F(p.q[2]) * c + F(p.q[1])) * c + F(p.q[0]);
     return {(a.x + b.x) * scale, (a.y + b.y) * scale, (a.z + b.z) * scale};
   }
@@ -46,7 +46,7 @@ struct Barycentric {
     t.linear = fetch_unit_normals<F>(job, index);
     const V3<F>* n = t.linear.normal;
     const F c[3] = {dot(n[1], n[2]), dot(n[2], n[0]), dot(n[0], n[1])};
-    const Polynomial& fit = kFits[job.settings[0]];
+    const MidScale& fit = kMidScales[job.settings[0]];
     for (int k = 0; k < 3; ++k) t.mid[k] = mid_vector(fit, n[(k + 1) % 3], n[(k + 2) % 3], c[k]);
     const auto wide = min(min(c[0], c[1]), c[2]) < F(fit.lowest);
     t.wide = select(wide, F(1.0f), F(0.0f));

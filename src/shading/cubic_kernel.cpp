@@ -11,11 +11,11 @@
 namespace blysk::BLYSK_ISA {
 namespace {
 
-constexpr int kSamples = 4;
-constexpr float kPlaces[kSamples] = {0.0f, 1.0f, 0.5f, 0.25f};  // the thesis' I1, I2, I3, I4
+constexpr int kRowSamples = 4;
+constexpr float kPlaces[kRowSamples] = {0.0f, 1.0f, 0.5f, 0.25f};  // the thesis' I1, I2, I3, I4
 
 template <class F>
-struct Polynomial {
+struct CubicRow {
   F a, b, c, d;  // ((a p + b) p + c) p + d
 };
 
@@ -23,10 +23,10 @@ struct Polynomial {
 enum class Third { exact, shift, printed };
 
 template <class F>
-BLYSK_INLINE Polynomial<F> fit(Third how, const F i[kSamples]) {
+BLYSK_INLINE CubicRow<F> fit(Third how, const F i[kRowSamples]) {
   const F three(3.0f), four(4.0f), eight(8.0f);
   const F third(how == Third::exact ? 1.0f / 3.0f : 43.0f / 128.0f);
-  Polynomial<F> q;
+  CubicRow<F> q;
   q.d = i[0];
   if (how == Third::printed) {
     q.a = eight * (i[1] + eight * i[3]) * third - eight * (i[0] + F(2.0f) * i[2]);
@@ -55,7 +55,7 @@ struct Cubic {
   struct Span {
     decltype(F() < F()) direct;
     F first, inverse_length;  // subpixels: centre of the first pixel, from there to the last
-    Polynomial<F> cos_l[kMaxLamps], lobe[kMaxLamps];
+    CubicRow<F> cos_l[kMaxLamps], lobe[kMaxLamps];
   };
 
   template <class F>
@@ -69,9 +69,9 @@ struct Cubic {
   // Points of a row, evenly spaced in x.
   template <class F>
   static BLYSK_INLINE void place_nodes(const RowFrame<F>& f, const Span<F>& span, F y, F length,
-                                       Node<F> nodes[kSamples]) {
+                                       Node<F> nodes[kRowSamples]) {
     const RowStart<F> row = row_start(f, y);
-    for (int i = 0; i < kSamples; ++i) {
+    for (int i = 0; i < kRowSamples; ++i) {
       nodes[i].x = span.first + F(kPlaces[i]) * length;
       nodes[i].y = y;
       const F v = right_of(f, row, nodes[i].x) * f.over;
@@ -91,21 +91,21 @@ struct Cubic {
     span.first = to_float(ends.first * Integer<F>(kSubpixels) + Integer<F>(kSubpixels / 2));
     const F length = to_float((ends.last - ends.first) * Integer<F>(kSubpixels));
     span.inverse_length = F(1.0f) / length;
-    span.direct = span.direct | (length < F(kSamples * kSubpixels));
+    span.direct = span.direct | (length < F(kRowSamples * kSubpixels));
     if (all(span.direct)) return span;
 
-    Node<F> nodes[kSamples];
+    Node<F> nodes[kRowSamples];
     place_nodes(t.frame, span, y, length, nodes);
-    LampTerms<F> terms[kSamples];
-    light_nodes<kSamples>(job, t.lit, nodes, terms);
+    LampTerms<F> terms[kRowSamples];
+    light_nodes<kRowSamples>(job, t.lit, nodes, terms);
     const Surface& s = job.draw->surface;
     const auto third = static_cast<Third>(job.settings[0]);
     for (int lamp = 0; lamp < s.lamps; ++lamp) {
-      F values[kSamples];
-      for (int i = 0; i < kSamples; ++i) values[i] = terms[i].cos_l[lamp];
+      F values[kRowSamples];
+      for (int i = 0; i < kRowSamples; ++i) values[i] = terms[i].cos_l[lamp];
       span.cos_l[lamp] = fit(third, values);
       if (s.model == LightingModel::lambert) continue;
-      for (int i = 0; i < kSamples; ++i) values[i] = terms[i].lobe[lamp];
+      for (int i = 0; i < kRowSamples; ++i) values[i] = terms[i].lobe[lamp];
       span.lobe[lamp] = fit(third, values);
     }
     return span;
@@ -117,7 +117,7 @@ struct Cubic {
     const Surface& s = job.draw->surface;
     return finish(job, t.lit, span.direct, ScreenPoint<P>{x, P(y), nearness}, y, [&](Intensity<P>& sum) {
       const P p = (x - P(span.first)) * P(span.inverse_length);
-      const auto at = [&](const Polynomial<F>& q) {
+      const auto at = [&](const CubicRow<F>& q) {
         return P(q.d) + p * (P(q.c) + p * (P(q.b) + p * P(q.a)));
       };
       for (int lamp = 0; lamp < s.lamps; ++lamp) {

@@ -13,17 +13,17 @@
 namespace blysk::BLYSK_ISA {
 namespace {
 
-struct Polynomial {
+struct LengthFit {
   float origin, c[4], lowest;
-  explicit constexpr Polynomial(const InverseLength& p)
+  explicit constexpr LengthFit(const InverseLength& p)
       : origin(static_cast<float>(p.origin)), c(), lowest(static_cast<float>(p.lowest)) {
     for (int i = 0; i < 4; ++i) c[i] = static_cast<float>(p.c[i]);
   }
 };
 
 // In the order of the registry's choices.
-constexpr Polynomial kFits[] = {Polynomial(kInverseLengthPaper), Polynomial(kInverseLengthMinimax),
-                                Polynomial(kInverseLengthCubic)};
+constexpr LengthFit kLengthFits[] = {LengthFit(kInverseLengthPaper), LengthFit(kInverseLengthMinimax),
+                                LengthFit(kInverseLengthCubic)};
 
 struct FastNormalize {
   template <class F>
@@ -66,7 +66,7 @@ struct FastNormalize {
   }
 
   template <class P>
-  static BLYSK_INLINE P value(const Polynomial& q, P k) {
+  static BLYSK_INLINE P value(const LengthFit& q, P k) {
     const P t = k - P(q.origin);
     P p(q.c[2]);
     if (q.c[3] != 0) p = P(q.c[3]) * t + p;
@@ -79,7 +79,7 @@ struct FastNormalize {
     const V3<P> viewer = viewer_at(job, x, y);
     V3<P> n = normal_at(t, span, x);
     const P k = dot(n, n);
-    const Polynomial& fit = kFits[job.settings[0]];
+    const LengthFit& fit = kLengthFits[job.settings[0]];
     P inverse = value(fit, k);
     const auto outside = (k < P(fit.lowest)) | (k > P(static_cast<float>(kLargestSquare)));
     if (__builtin_expect(any(outside), 0)) {

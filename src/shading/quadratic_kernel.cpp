@@ -14,9 +14,9 @@
 namespace blysk::BLYSK_ISA {
 namespace {
 
-constexpr int kSamples = 6;
-// Twice the area of kSamples pixels, in subpixels.
-constexpr float kDirectArea = 2.0f * kSamples * kSubpixels * kSubpixels;
+constexpr int kSurfaceSamples = 6;
+// Twice the area of kSurfaceSamples pixels, in subpixels.
+constexpr float kDirectArea = 2.0f * kSurfaceSamples * kSubpixels * kSubpixels;
 
 // kUsual: (2.9) without segments, the form that is meant to be fast; the others share one copy.
 template <bool kUsual>
@@ -38,9 +38,9 @@ struct Quadratic {
   };
 
   template <class F>
-  static BLYSK_INLINE void place_nodes(const RowFrame<F>& f, Node<F> nodes[kSamples]) {
-    constexpr int kEnds[kSamples][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
-    for (int i = 0; i < kSamples; ++i) {
+  static BLYSK_INLINE void place_nodes(const RowFrame<F>& f, Node<F> nodes[kSurfaceSamples]) {
+    constexpr int kEnds[kSurfaceSamples][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+    for (int i = 0; i < kSurfaceSamples; ++i) {
       const int a = kEnds[i][0], b = kEnds[i][1];
       for (int k = 0; k < 3; ++k) {
         nodes[i].weight[k] = F((k == a ? 0.5f : 0.0f) + (k == b ? 0.5f : 0.0f));
@@ -58,17 +58,17 @@ struct Quadratic {
     const F area = float_of_bits(bits_of(t.frame.area) & Integer<F>(0x7fffffff));
     t.direct = t.lit.corners.unplaced | (area < F(kDirectArea));
     if (all(t.direct)) return t;
-    Node<F> nodes[kSamples];
+    Node<F> nodes[kSurfaceSamples];
     place_nodes(t.frame, nodes);
-    LampTerms<F> terms[kSamples];
-    light_nodes<kSamples>(job, t.lit, nodes, terms);
+    LampTerms<F> terms[kSurfaceSamples];
+    light_nodes<kSurfaceSamples>(job, t.lit, nodes, terms);
     const Surface& s = job.draw->surface;
     for (int lamp = 0; lamp < s.lamps; ++lamp) {
-      F values[kSamples];
-      for (int i = 0; i < kSamples; ++i) values[i] = terms[i].cos_l[lamp];
+      F values[kSurfaceSamples];
+      for (int i = 0; i < kSurfaceSamples; ++i) values[i] = terms[i].cos_l[lamp];
       t.cos_l[lamp] = second_order(values, t.frame.bend);
       if (s.model == LightingModel::lambert) continue;
-      for (int i = 0; i < kSamples; ++i) values[i] = terms[i].lobe[lamp];
+      for (int i = 0; i < kSurfaceSamples; ++i) values[i] = terms[i].lobe[lamp];
       t.lobe[lamp] = second_order(values, t.frame.bend);
     }
     return t;
