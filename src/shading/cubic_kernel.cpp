@@ -117,9 +117,7 @@ struct Cubic {
     const Surface& s = job.draw->surface;
     return finish(job, t.lit, span.direct, ScreenPoint<P>{x, P(y), nearness}, y, [&](Intensity<P>& sum) {
       const P p = (x - P(span.first)) * P(span.inverse_length);
-      const auto at = [&](const CubicRow<F>& q) {
-        return P(q.d) + p * (P(q.c) + p * (P(q.b) + p * P(q.a)));
-      };
+      const auto at = [&](const CubicRow<F>& q) { return P(q.d) + p * (P(q.c) + p * (P(q.b) + p * P(q.a))); };
       for (int lamp = 0; lamp < s.lamps; ++lamp) {
         const P cos_l = at(span.cos_l[lamp]);
         const P lobe = s.model == LightingModel::lambert ? P(0.0f) : at(span.lobe[lamp]);

@@ -23,7 +23,7 @@ struct LengthFit {
 
 // In the order of the registry's choices.
 constexpr LengthFit kLengthFits[] = {LengthFit(kInverseLengthPaper), LengthFit(kInverseLengthMinimax),
-                                LengthFit(kInverseLengthCubic)};
+                                     LengthFit(kInverseLengthCubic)};
 
 struct FastNormalize {
   template <class F>
