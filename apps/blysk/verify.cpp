@@ -52,7 +52,7 @@ constexpr std::string_view kScenes[][2] = {
     {"interpolated", "shape:sphere?detail=24 --shading auto --size 600x400"},
     {"interpolated-lights",
      "shape:teapot?detail=16 --shading auto --interpolation screen --lobe w16 --light 1,2,3,0.6,0.5,0.4 "
-     "--light -3,1,1,0.2,0.3,0.4 --size 600x400"},
+     "--light -3,1,1,0.2,0.3,0.4 --size 900x600"},
 };
 
 std::vector<Check> checks() {

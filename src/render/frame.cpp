@@ -304,7 +304,8 @@ Status plan_frame(const Scene& scene, const RenderOptions& options, FramePlan& p
       return failure(ErrorCode::limit, "the scene has more triangles or vertices than the limits allow (" +
                                            std::to_string(options.limits.max_triangles) + " triangles)");
     }
-    if (plan.sampling == Sampling::samples) {
+    p.draw.in_samples = plan.sampling == Sampling::samples;
+    if (p.draw.in_samples) {
       set_opacity(p, scene.meshes[instance.mesh], material, options.interpolation);
     }
     plan.glass = plan.glass || (p.opacity > 0 && p.transparent());

@@ -80,6 +80,18 @@ class Census {
   Run run_[kTilePixels];
 };
 
+// Twice the area of the pixels that are a triangle's own. Where pixels are sampled, those that an edge
+// crosses are shared: |dx| + |dy| of them, half of whose area is the triangle's.
+BLYSK_INLINE float own_size(const Corners<float>& c, bool in_samples) {
+  if (c.unplaced) return 0.0f;
+  float size = doubled_area(c);
+  for (int k = 0; in_samples && k < 3; ++k) {
+    const int next = (k + 1) % 3;
+    size -= (magnitude(c.x[next] - c.x[k]) + magnitude(c.y[next] - c.y[k])) * float{kSubpixels};
+  }
+  return max(size, 0.0f);
+}
+
 class AutoShader {
  public:
   explicit BLYSK_INLINE AutoShader(const ShadeJob& job)
@@ -102,9 +114,9 @@ class AutoShader {
     float all = 0, fitting = 0;
     for (int i = 1; i <= samples; ++i) {
       const auto c = fetch_corners<float>(job_, ids[i] - static_cast<std::int32_t>(first));
-      const float area = c.unplaced ? 0.0f : doubled_area(c);
-      all += area;
-      if (planes_.way(i) != kPhong) fitting += area;
+      const float size = own_size(c, job_.draw->in_samples);
+      all += size;
+      if (planes_.way(i) != kPhong) fitting += size;
     }
     return fitting >= kShare * all + static_cast<float>(samples) * pixels_size(kSetUpPixels);
   }
@@ -119,7 +131,7 @@ class AutoShader {
       for (int r = first, begin = 0; r < row; begin = ends_[r++]) shade_row(r, begin);
     }
     phong_.flush();
-    // Surfaces that share a pixel with others are few: all are Phong's.
+    // Surfaces that share a pixel with others come one a triangle: all are Phong's.
     if (job_.samples != nullptr) phong_.shade_fragments();
   }
 

@@ -47,12 +47,27 @@ TEST(auto_shading, stays_within_its_error) {
       }
       o.max_error = (i & 8) == 0 ? 1.0f / 512 : 0.02f;
       o.lobe = i % 3 == 0 ? "w16" : "power";
+      if (scene.triangles() > 5000) o.antialias = "none";  // small ones pay without it alone
       const Difference d = *compare(shaded(scene, o, "phong").image, shaded(scene, o, "auto").image);
       EXPECT_LE(d.max_difference, (i & 8) == 0 ? 1 : 6) << name << ", options " << i;
       EXPECT_GT(d.different_pixels, 0u) << name << ", options " << i;
       EXPECT_LT(d.nmse, (i & 8) == 0 ? 2e-5 : 5e-4) << name << ", options " << i;
     }
   }
+}
+
+// A triangle of twenty pixels keeps half of them for itself, and for those it does not pay to look.
+TEST(auto_shading, antialiasing_takes_pixels_of_small_triangles) {
+  const Scene small = shape("sphere?detail=60"), large = shape("sphere?detail=24");
+  RenderOptions o = small_picture();
+  o.lights = {lamp({1, 2, 3}, {0.8f, 0.8f, 0.8f})};
+  const auto is_phong = [&](const Scene& scene) {
+    return same(shaded(scene, o, "phong").image, shaded(scene, o, "auto").image);
+  };
+  EXPECT_TRUE(is_phong(small));
+  EXPECT_FALSE(is_phong(large));
+  o.antialias = "none";
+  EXPECT_FALSE(is_phong(small));
 }
 
 TEST(auto_shading, is_phong_where_nothing_can_be_said) {
