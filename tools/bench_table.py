@@ -35,6 +35,17 @@ def median_after(runs, word):
     return statistics.median(number_after(run, word) for run in runs)
 
 
+def ratio(report, over, under, value):
+    """Median of the ratios within a turn: what slows a host for seconds slows both."""
+    turns = [turn for turn in zip(report[over], report[under]) if all(run["rc"] == 0 for run in turn)]
+    quiet = [turn for turn in turns if all(run["other"] < QUIET for run in turn)]
+    return statistics.median(value(a) / value(b) for a, b in quiet or turns)
+
+
+def frame_time(run):
+    return number_after(run, "median")
+
+
 def ms(value):
     return f"{value:.0f}" if value >= 100 else f"{value:.1f}" if value >= 10 else f"{value:.2f}"
 
@@ -45,8 +56,9 @@ def frame_rows(reports):
     for name, report in reports:
         rival, ours, one = (runs_of(report, label) for label in ("rival", "ours", "one"))
         a, b, c = (median_after(runs, "median") for runs in (rival, ours, one))
+        gain, scaling = ratio(report, "rival", "ours", frame_time), ratio(report, "one", "ours", frame_time)
         covered = [median_after(runs, "covered") for runs in (rival, ours)]
-        print(f"| {name} | {ms(a)} | {ms(b)} | {a / b:.1f} | {ms(c)} | {c / b:.2f} | "
+        print(f"| {name} | {ms(a)} | {ms(b)} | {gain:.1f} | {ms(c)} | {scaling:.2f} | "
               f"{covered[0]:.1f} %, {covered[1]:.1f} % |")
 
 
@@ -71,7 +83,8 @@ def process_rows(reports, start):
     print("|---|---:|---:|---:|---:|---:|---:|")
     for name, report in reports:
         (a, a_mb), (b, b_mb) = of(runs_of(report, "rival")), of(runs_of(report, "ours"))
-        print(f"| {name} | {a:.2f} | {a_mb:.0f} | {b:.3f} | {b_mb:.0f} | {a / b:.1f} | {a_mb / b_mb:.1f} |")
+        gain = ratio(report, "rival", "ours", lambda run: run["wall"])
+        print(f"| {name} | {a:.2f} | {a_mb:.0f} | {b:.3f} | {b_mb:.0f} | {gain:.1f} | {a_mb / b_mb:.1f} |")
     wall, mb = of(runs_of(start, "version"))
     print(f"| `--version` | | | {wall:.4f} | {mb:.0f} | | |")
 
