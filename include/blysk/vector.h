@@ -60,7 +60,9 @@ Vec3<T> normalize(Vec3<T> a, Vec3<T> fallback = {0, 0, 1}) {
   return l > T(0) && l <= T(1e30) ? a * (T(1) / l) : fallback;
 }
 
-inline Vec3d to_double(Vec3f a) { return {double{a.x}, double{a.y}, double{a.z}}; }
+inline Vec3d to_double(Vec3f a) {
+  return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
+}
 inline Vec3f to_float(Vec3d a) {
   return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }
