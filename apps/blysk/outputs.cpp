@@ -66,6 +66,17 @@ Status check_place(const std::string& path) {
   return Done{};
 }
 
+// Calls with every plane's name, format and path, until one fails.
+template <class Work>
+Status for_each_plane(const Outputs& outputs, const Work& work) {
+  for (const std::string& plane : outputs.planes) {
+    for (const PlaneFormat format : outputs.plane_formats) {
+      if (const Status s = work(plane, format, plane_path(outputs, plane, format)); !s) return s;
+    }
+  }
+  return Done{};
+}
+
 Result<Outputs> outputs_of(const Arguments& arguments) {
   Outputs outputs;
   if (!arguments.has("output")) {
@@ -82,6 +93,9 @@ Result<Outputs> outputs_of(const Arguments& arguments) {
     return outputs;
   }
   if (const Status status = check_place(outputs.path); !status) return status.error();
+  const Status planes = for_each_plane(
+      outputs, [](const auto&, PlaneFormat, const std::string& path) { return check_place(path); });
+  if (!planes) return planes.error();
   return outputs;
 }
 
@@ -123,14 +137,12 @@ Status check_planes(std::uint64_t triangles, const RenderOptions& options, const
 }
 
 Status write_outputs(const Frame& frame, const Outputs& outputs, const PictureOptions& options) {
-  if (const Status s = write_picture(frame.image, outputs.path, outputs.format, options); !s) return s;
-  for (const std::string& plane : outputs.planes) {
-    for (const PlaneFormat format : outputs.plane_formats) {
-      const std::string path = plane_path(outputs, plane, format);
-      if (const Status s = write_plane(frame, plane, format, path, options); !s) return s;
-    }
-  }
-  return Done{};
+  // The picture last: where a plane cannot be written, an existing picture is as it was.
+  const Status planes = for_each_plane(outputs, [&](const auto& plane, PlaneFormat format, const auto& path) {
+    return write_plane(frame, plane, format, path, options);
+  });
+  if (!planes) return planes;
+  return write_picture(frame.image, outputs.path, outputs.format, options);
 }
 
 }  // namespace blysk::command

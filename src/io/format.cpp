@@ -55,10 +55,10 @@ bool is_off(std::string_view text) {
 
 bool is_ascii_stl(std::string_view text) {
   TextCursor cursor(text.substr(0, kSolidBytesLooked));
-  if (cursor.word() != "solid") return false;
+  if (!same_word(cursor.word(), "solid")) return false;
   while (!cursor.at_end()) {
     const std::string_view word = cursor.word();
-    if (word == "facet" || word == "endsolid") return true;
+    if (same_word(word, "facet") || same_word(word, "endsolid")) return true;
   }
   return false;
 }
@@ -70,10 +70,11 @@ bool is_obj(std::string_view text) {
                                                 "cstype", "mtllib", "usemtl", "maplib", "usemap", "bevel"};
   TextCursor cursor(text);
   bool geometry = false;
-  for (std::size_t line = 0; line < kObjLinesLooked && !cursor.at_end(); ++line) {
+  for (std::size_t line = 0; line < kObjLinesLooked && !cursor.at_end();) {
     cursor.skip_blanks();
     const std::string_view rest = cursor.line();
     if (rest.empty() || rest.front() == '#') continue;
+    ++line;
     const std::string_view word = TextCursor(rest).word();
     if (std::find(std::begin(kWords), std::end(kWords), word) == std::end(kWords)) return false;
     geometry = geometry || word == "v" || word == "f" || word == "mtllib";

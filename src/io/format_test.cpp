@@ -26,6 +26,10 @@ TEST(find_format, content_comes_before_extension) {
   expect_format("STCNOFF 1 1 1", "x", Format::off);
   expect_format("solid a\nfacet normal 0 0 1\n", "x.obj", Format::stl);
   expect_format("# cube\n\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "x.stl", Format::obj);
+  expect_format("SOLID a\nFACET NORMAL 0 0 1\n", "x.obj", Format::stl);
+  std::string comments;
+  for (int i = 0; i < 1000; ++i) comments += "# made by hand\n";
+  expect_format(comments + "v 0 0 0\n", "x", Format::obj);
   expect_format("mtllib a.mtl\no name\n  v 0 0 0\n", "", Format::obj);
 }
 

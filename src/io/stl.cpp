@@ -75,24 +75,24 @@ class AsciiStl {
   Error fail(std::string message) const { return broken_at(source_, word_start_, std::move(message)); }
 
   Status read_word(std::string_view word) {
-    if (word == "vertex") return read_vertex();
-    if (word == "facet") {
+    if (same_word(word, "vertex")) return read_vertex();
+    if (same_word(word, "facet")) {
       in_facet_ = true;
       polygon_.clear();
       text_.word();  // "normal"; it follows from the corners
       for (int i = 0; i < 3; ++i) text_.word();
-    } else if (word == "outer") {
+    } else if (same_word(word, "outer")) {
       text_.word();  // "loop"
-    } else if (word == "endloop") {
+    } else if (same_word(word, "endloop")) {
       return end_loop();
-    } else if (word == "endfacet") {
+    } else if (same_word(word, "endfacet")) {
       in_facet_ = false;
-    } else if (word == "solid") {
+    } else if (same_word(word, "solid")) {
       if (Status s = end_solid(); !s) return s;
       in_solid_ = true;
       text_.skip_blanks();
       name_ = std::string(text_.line());
-    } else if (word == "endsolid") {
+    } else if (same_word(word, "endsolid")) {
       text_.skip_blanks();
       text_.line();
       in_solid_ = false;
@@ -149,10 +149,10 @@ class AsciiStl {
 bool is_ascii(const Source& source) {
   if (has_stl_size(source.bytes)) return false;
   TextCursor text(source.text());
-  if (text.word() != "solid") return false;
+  if (!same_word(text.word(), "solid")) return false;
   text.line();
   const std::string_view word = text.word();
-  return word.empty() || word == "facet" || word == "endsolid" || word == "solid";
+  return word.empty() || same_word(word, "facet") || same_word(word, "endsolid") || same_word(word, "solid");
 }
 
 }  // namespace

@@ -90,7 +90,11 @@ TEST(stl, ascii_lines_do_not_matter) {
   std::string one_line(kFacet);
   for (char& c : one_line) c = c == '\n' ? ' ' : c;
   const Result<Scene> line = load_text("solid a\n" + one_line + " endsolid a", "x.stl");
-  ASSERT_TRUE(usual && crlf && line);
+  std::string capitals = "SOLID a\n" + std::string(kFacet) + "ENDSOLID a\n";
+  for (char& c : capitals) c = c >= 'b' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  const Result<Scene> loud = load_text(capitals, "x.stl");
+  ASSERT_TRUE(usual && crlf && line && loud);
+  EXPECT_EQ(loud->meshes[0].positions, usual->meshes[0].positions);
   EXPECT_EQ(crlf->meshes[0].positions, usual->meshes[0].positions);
   EXPECT_EQ(crlf->meshes[0].name, "a");
   EXPECT_EQ(line->meshes[0].positions, usual->meshes[0].positions);

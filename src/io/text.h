@@ -1,6 +1,7 @@
 // io/text.h - words and numbers of a text file, without locale and without copies.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 
@@ -12,6 +13,12 @@ namespace blysk::io {
 [[nodiscard]] bool parse_number(std::string_view word, double& value);
 /// A whole number from -2^63 to 2^63 - 1; a sign in front is allowed.
 [[nodiscard]] bool parse_number(std::string_view word, long long& value);
+
+/// Whether a word is `lower`, in letters of any size.
+inline bool same_word(std::string_view word, std::string_view lower) {
+  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
+                    [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b); });
+}
 
 /// Walks through a text from word to word.
 class TextCursor {

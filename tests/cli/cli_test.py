@@ -272,6 +272,14 @@ class Render(CommandTest):
         self.render("square.obj", "--aov=id")
         self.assertEqual(read_png(self.read("out.id.png")).channels, 3)
 
+    def test_a_plane_that_cannot_be_written_leaves_the_picture(self):
+        self.write("a.png", b"old")
+        os.mkdir(os.path.join(self.folder, "a.id.png"))
+        before = sorted(os.listdir(self.folder))
+        self.assertIn("a.id.png: this is a folder", self.fails(4, "render", "square.obj", "-o", "a.png", "--aov=depth,id"))
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+        self.assertEqual(self.read("a.png"), b"old")
+
     def test_fragments_and_coverage_beside(self):
         self.render("square.obj", "--aov=fragments,coverage,fragments", "--aov-format=csv,png", "--antialias=none")
         self.assertEqual(sorted(os.listdir(self.folder)),
