@@ -11,7 +11,7 @@ if(BLYSK_SANITIZE)
   target_link_options(blysk_flags INTERFACE -fsanitize=${BLYSK_SANITIZE})
 endif()
 
-option(BLYSK_ROOMS "Compile the sources of a folder together: a third of the time, from nothing" OFF)
+option(BLYSK_ROOMS "Compile the sources of a folder together: from nothing, far faster" OFF)
 
 # GCC takes a source that is included for a header.
 function(blysk_allow_rooms target)
@@ -37,7 +37,7 @@ function(blysk_compile_rooms target)
 endfunction()
 
 # The scalar build is the plain witness that the others are compared with. Its sixteen lanes are loops in functions:
-# unrolled and inlined, they would take the compiler minutes. -Og compiles in a third of the time of -O1.
+# unrolled and inlined, they would take the compiler minutes. -Og compiles in less than half the time of -O1.
 set(BLYSK_SCALAR_FLAGS -DHWY_COMPILE_ONLY_SCALAR -Og)
 
 # Instruction sets that the kernels are built for: NAME and the flags that select it.

@@ -35,7 +35,7 @@ struct Draw {
   float matrix[12];                 ///< mesh to world, three rows
   Projection projection;
   Surface surface;
-  bool in_samples;  ///< pixels in which several surfaces show are fragments: ShadeJob::samples
+  bool in_samples = false;  ///< pixels in which several surfaces show are fragments: ShadeJob::samples
 
   /// What `auto` has found out about the draw in this frame; all threads find the same.
   enum InterpolationPays : std::uint8_t { kUnknown, kPays, kDoesNotPay };

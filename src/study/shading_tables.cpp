@@ -265,8 +265,7 @@ std::vector<StudySection> shading_sections(const ShadingMeasurements& m) {
            m.best +
            "\" is the shading stage of the renderer with SIMD, \"scalar kernel\" the same without, "
            "little optimised, which is a witness and not judged by. Methods that are compared were timed in "
-           "turn; the "
-           "best of many rounds counts.",
+           "turn; the best of many rounds counts.",
        "A gain holds where every measurement reaches nine tenths of it, and in part where one does. A "
        "bound holds up to its last printed digit, and in part up to a tenth more, or in some of the "
        "scenes."},
