@@ -36,7 +36,7 @@ bool scale(std::uint64_t digits, int power, float& value) {
 }
 
 // Exponent of ten of the first digit of a number that is not zero: 0 for 1..9.99. Saturates.
-long long magnitude(std::string_view number) {
+long long order_of_magnitude(std::string_view number) {
   constexpr long long kFar = 1'000'000'000;
   long long place = 0;
   bool point = false, started = false;
@@ -83,7 +83,7 @@ bool read_slowly(const char*& at, float& value) {
   if (got.ec == std::errc::invalid_argument) return false;
   if (got.ec == std::errc::result_out_of_range) {
     const std::string_view number(begin, static_cast<std::size_t>(got.ptr - begin));
-    read = magnitude(number) > 0 ? std::numeric_limits<float>::infinity() : 0.0f;
+    read = order_of_magnitude(number) > 0 ? std::numeric_limits<float>::infinity() : 0.0f;
   }
   at = got.ptr;
   if (read_windows_special({got.ptr, static_cast<std::size_t>(end - got.ptr)}, read)) at = end;

@@ -11,36 +11,43 @@ namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 14;
 
-enum class Verdict { good, out_of_range, not_finite, degenerate };
+enum class Verdict { good, not_finite, degenerate };
 
-// Without branches until the end: on scans that lie on a grid, coordinates agree as often as not.
-Verdict judge(const Vec3f* positions, std::size_t vertices, const std::uint32_t* corner) {
-  if (corner[0] >= vertices || corner[1] >= vertices || corner[2] >= vertices) return Verdict::out_of_range;
+bool has_area(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+  const Vec3d origin = to_double(a);
+  return cross(to_double(b) - origin, to_double(c) - origin) != Vec3d{};
+}
+
+// Single precision settles nearly all: a component of the cross product beyond the rounding of its two
+// products.
+Verdict judge(const Vec3f* positions, const std::uint32_t* corner) {
   const Float4 a = load4(positions + corner[0]);
   const Float4 b = load4(positions + corner[1]);
   const Float4 c = load4(positions + corner[2]);
   const Mask4 finite = all3(a - a + (b - b) + (c - c) == Float4{});  // what is not finite gives NaN
   if (finite[0] == 0) return Verdict::not_finite;
-  const Mask4 coincide = all3(a == b) | all3(b == c) | all3(c == a);
-  return coincide[0] != 0 ? Verdict::degenerate : Verdict::good;
+  const Float4 u = b - a, v = c - a, p = u * rotate(v), q = rotate(u) * v;
+  const Mask4 sure = magnitude(p - q) > 1e-6f * (magnitude(p) + magnitude(q)) + 1e-37f;
+  if ((sure[0] | sure[1] | sure[2]) != 0) return Verdict::good;
+  return has_area(positions[corner[0]], positions[corner[1]], positions[corner[2]]) ? Verdict::good
+                                                                                    : Verdict::degenerate;
 }
 
 // What was found in some triangles.
 struct Findings {
-  std::size_t count[4] = {};  // of each verdict
+  std::size_t count[3] = {};  // of each verdict
   Array<std::size_t> bad;     // triangles, ascending
 };
 
 // Judges the triangles from `begin` to `end`; marks the vertices of the good ones.
 Findings judge_block(const Mesh& mesh, std::size_t begin, std::size_t end, Array<std::uint8_t>& used) {
   Findings found;
-  const std::size_t vertices = mesh.positions.size();
   const Vec3f* positions =
       mesh.positions.data();  // here, lest every mark written below could have moved them
   std::uint8_t* marks = used.data();
   for (std::size_t triangle = begin; triangle < end; ++triangle) {
     const std::uint32_t* corner = mesh.indices.data() + 3 * triangle;
-    const Verdict verdict = judge(positions, vertices, corner);
+    const Verdict verdict = judge(positions, corner);
     if (verdict == Verdict::good) {
       marks[corner[0]] = marks[corner[1]] = marks[corner[2]] = 1;
     } else {
@@ -120,15 +127,14 @@ void drop_unused(Mesh& mesh, const Array<std::uint8_t>& used) {
 }
 
 std::string sentence(const Mesh& mesh, const Findings& findings) {
-  constexpr const char* kKinds[] = {"", "out-of-range", "non-finite", "degenerate"};
+  const std::size_t degenerate = findings.count[static_cast<int>(Verdict::degenerate)];
+  const std::size_t not_finite = findings.count[static_cast<int>(Verdict::not_finite)];
   std::string text;
-  for (const Verdict verdict : {Verdict::degenerate, Verdict::not_finite, Verdict::out_of_range}) {
-    const std::size_t count = findings.count[static_cast<int>(verdict)];
-    if (count == 0) continue;
-    text += (text.empty() ? "" : " and ") + std::to_string(count) + " " + kKinds[static_cast<int>(verdict)];
-  }
+  if (degenerate > 0) text = std::to_string(degenerate) + " degenerate";
+  if (not_finite > 0) text += (text.empty() ? "" : " and ") + std::to_string(not_finite) + " non-finite";
   if (text.empty()) return text;
-  return "mesh" + (mesh.name.empty() ? "" : " " + mesh.name) + ": left out " + text + " triangles";
+  return "mesh" + (mesh.name.empty() ? "" : " " + mesh.name) + ": left out " + text +
+         (degenerate + not_finite == 1 ? " triangle" : " triangles");
 }
 
 }  // namespace

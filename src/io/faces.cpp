@@ -1,15 +1,15 @@
 #include "io/faces.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "io/polygon.h"
+#include "io/share_equal.h"
 
 namespace blysk::io {
 namespace {
 
-constexpr std::size_t kMostColorsSearched = 64;  // at one vertex; beyond it, copies are made without looking
+constexpr std::size_t kFacesPerBlock = 8192;
 
 // Writes the triangles of one face at `out`; returns their end.
 class FaceCutter {
@@ -20,9 +20,7 @@ class FaceCutter {
     if (face.size() < 3) return out;
     if (face.size() == 3) return std::copy(face.begin(), face.end(), out);
     points_.clear();
-    for (const std::uint32_t vertex : face) {
-      points_.push_back(vertex < positions_.size() ? positions_[vertex] : Vec3f{});
-    }
+    for (const std::uint32_t vertex : face) points_.push_back(positions_[vertex]);
     local_.clear();
     triangulate({points_.data(), points_.size()}, local_);
     for (const std::uint32_t corner : local_) *out++ = face[corner];
@@ -35,91 +33,145 @@ class FaceCutter {
   Array<std::uint32_t> local_;
 };
 
-// Vertices of the old mesh in the colours of their faces: each pair once.
-class Recolored {
- public:
-  explicit Recolored(std::size_t vertices) { newest_.resize(vertices, kBadIndex); }
+// Some faces that follow each other, and where they and their triangles begin.
+struct FaceBlock {
+  std::uint64_t corners = 0, triangles = 0, too_small = 0;
 
-  Array<std::uint32_t> sources;  // per new vertex its old one
-  Array<Vec4f> colors;
-
-  std::uint32_t vertex(std::uint32_t old, const Vec4f& color) {
-    std::size_t searched = 0;
-    for (std::uint32_t v = newest_[old]; v != kBadIndex && searched < kMostColorsSearched;
-         v = older_[v], ++searched) {
-      if (colors[v] == color) return v;
-    }
-    const auto made = static_cast<std::uint32_t>(sources.size());
-    sources.push_back(old);
-    colors.push_back(color);
-    older_.push_back(newest_[old]);
-    newest_[old] = made;
-    return made;
+  void add(const FaceBlock& b) {
+    corners += b.corners;
+    triangles += b.triangles;
+    too_small += b.too_small;
   }
+};
 
- private:
-  Array<std::uint32_t> newest_, older_;
+// What the faces of each block have, and all together, last.
+std::vector<FaceBlock> count_blocks(const Faces& faces, ThreadPool& pool) {
+  const std::size_t count = faces.sizes.size();
+  std::vector<FaceBlock> blocks((count + kFacesPerBlock - 1) / kFacesPerBlock + 1);
+  pool.for_each(blocks.size() - 1, [&](int, std::size_t i) {
+    FaceBlock own;
+    for (std::size_t face = i * kFacesPerBlock; face < std::min(count, (i + 1) * kFacesPerBlock); ++face) {
+      const std::uint32_t size = faces.sizes[face];
+      own.corners += size;
+      own.triangles += size < 3 ? 0 : size - 2;
+      own.too_small += size < 3;
+    }
+    blocks[i] = own;
+  });
+  for (std::size_t i = 0; i + 1 < blocks.size(); ++i) blocks.back().add(blocks[i]);
+  return blocks;
+}
+
+// Calls work(first face, end, first corner, first triangle) for every block, in parallel.
+template <class Work>
+void for_each_block(const Faces& faces, const std::vector<FaceBlock>& blocks, ThreadPool& pool,
+                    const Work& work) {
+  std::vector<FaceBlock> starts(blocks.size());
+  for (std::size_t i = 1; i < blocks.size(); ++i) {
+    starts[i] = starts[i - 1];
+    starts[i].add(blocks[i - 1]);
+  }
+  pool.for_each(blocks.size() - 1, [&](int, std::size_t i) {
+    const std::size_t end = std::min(faces.sizes.size(), (i + 1) * kFacesPerBlock);
+    work(i * kFacesPerBlock, end, starts[i].corners, starts[i].triangles);
+  });
+}
+
+void cut_faces(const Faces& faces, const std::vector<FaceBlock>& blocks, Mesh& mesh, ThreadPool& pool) {
+  mesh.indices.resize(3 * blocks.back().triangles);
+  for_each_block(faces, blocks, pool,
+                 [&](std::size_t face, std::size_t end, std::uint64_t corner, std::uint64_t triangle) {
+                   FaceCutter cutter(mesh.positions);
+                   const std::uint32_t* corners = faces.corners.data() + corner;
+                   std::uint32_t* out = mesh.indices.data() + 3 * triangle;
+                   for (; face < end; ++face) {
+                     out = cutter.cut({corners, faces.sizes[face]}, out);
+                     corners += faces.sizes[face];
+                   }
+                 });
+}
+
+// The colour of each triangle's face.
+Array<Vec4f> triangle_colors(Faces& faces, const std::vector<FaceBlock>& blocks, ThreadPool& pool) {
+  if (faces.sizes.empty()) return std::move(faces.colors);
+  Array<Vec4f> colors(blocks.back().triangles);
+  for_each_block(
+      faces, blocks, pool, [&](std::size_t face, std::size_t end, std::uint64_t, std::uint64_t triangle) {
+        for (; face < end; ++face) {
+          const std::uint32_t size = faces.sizes[face];
+          const std::size_t triangles = size < 3 ? 0 : size - 2;
+          std::fill_n(colors.begin() + static_cast<std::ptrdiff_t>(triangle), triangles, faces.colors[face]);
+          triangle += triangles;
+        }
+      });
+  return colors;
+}
+
+struct ColoredVertex {
+  std::uint32_t vertex;
+  Vec4f color;
+
+  [[nodiscard]] std::uint64_t hash() const { return vertex * 0x9e3779b97f4a7c15u; }
+  friend bool operator==(const ColoredVertex&, const ColoredVertex&) = default;
 };
 
 template <class T>
-void pick(Array<T>& values, const Array<std::uint32_t>& sources) {
+void pick(Array<T>& values, const SharedKeys<ColoredVertex>& shared, ThreadPool& pool) {
   if (values.empty()) return;
-  Array<T> picked;
-  picked.resize(sources.size());
-  for (std::size_t i = 0; i < sources.size(); ++i) picked[i] = values[sources[i]];
+  Array<T> picked(shared.count());
+  pool.for_each(shared.runs.size(), [&](int, std::size_t run) {
+    T* to = picked.data() + shared.first[run];
+    for (const ColoredVertex& key : shared.runs[run]) *to++ = values[key.vertex];
+  });
   values = std::move(picked);
 }
 
-void color_triangles(Mesh& mesh, const Faces& faces) {
-  Recolored recolored(mesh.positions.size());
-  std::uint32_t* corner = mesh.indices.data();
-  for (std::size_t face = 0; face < faces.sizes.size(); ++face) {
-    const std::uint32_t size = faces.sizes[face];
-    for (std::uint32_t* end = corner + (size < 3 ? 0 : 3 * (std::size_t{size} - 2)); corner != end;
-         ++corner) {
-      if (*corner < mesh.positions.size()) {
-        *corner = recolored.vertex(*corner, faces.colors[face]);
-      } else {
-        *corner = kBadIndex;
-      }
+// Gives each vertex the colour of its triangles, and one copy of it to each other colour there.
+void color_triangles(Mesh& mesh, const Array<Vec4f>& colors, ThreadPool& pool) {
+  const auto each = [&](std::size_t begin, std::size_t end, const auto& take) {
+    for (std::size_t corner = begin; corner < end; corner += 3) {
+      for (std::size_t k = 0; k < 3; ++k) take(ColoredVertex{mesh.indices[corner + k], colors[corner / 3]});
     }
-  }
-  pick(mesh.positions, recolored.sources);
-  pick(mesh.normals, recolored.sources);
-  pick(mesh.texcoords, recolored.sources);
-  mesh.colors = std::move(recolored.colors);
+  };
+  SharedKeys<ColoredVertex> shared = share_equal<ColoredVertex>(mesh.indices.size(), each, pool);
+  pick(mesh.positions, shared, pool);
+  pick(mesh.normals, shared, pool);
+  pick(mesh.texcoords, shared, pool);
+  mesh.colors.resize(shared.count());
+  pool.for_each(shared.runs.size(), [&](int, std::size_t run) {
+    Vec4f* to = mesh.colors.data() + shared.first[run];
+    for (const ColoredVertex& key : shared.runs[run]) *to++ = key.color;
+  });
+  mesh.indices = std::move(shared.ids);
 }
 
 }  // namespace
 
-Status add_faces(const Source& source, Faces faces, Mesh& mesh, std::vector<std::string>& problems) {
-  std::uint64_t triangles = 0, too_small = 0;
-  bool only_triangles = true;
-  for (const std::uint32_t size : faces.sizes) {
-    triangles += size < 3 ? 0 : size - 2;
-    too_small += size < 3;
-    only_triangles = only_triangles && size == 3;
-  }
-  const std::uint64_t per_corner = 4 + (faces.colors.empty() ? 0 : 64);
-  if (Status s = check_limits(source, triangles, triangles * 3 * per_corner); !s) return s;
-  if (too_small > 0) {
-    problems.push_back("left out " + std::to_string(too_small) + " faces of fewer than three corners");
-  }
+std::string no_such_vertex(const std::string& who, const std::string& text, std::uint64_t vertices) {
+  return who + " uses vertex " + text + ", but " +
+         (vertices == 0 ? "there are none" : "they count from 0 to " + std::to_string(vertices - 1)) +
+         "; save the model again";
+}
 
-  if (only_triangles) {
+Status add_faces(const Source& source, Faces faces, Mesh& mesh, std::vector<std::string>& problems,
+                 ThreadPool& pool) {
+  const std::vector<FaceBlock> blocks = count_blocks(faces, pool);
+  const FaceBlock& all = blocks.back();
+  if (all.too_small == 0 && all.corners == 3 * faces.sizes.size()) faces.sizes = {};
+  const std::uint64_t triangles = faces.sizes.empty() ? faces.corners.size() / 3 : all.triangles;
+  const std::uint64_t per_corner = 4 + (faces.colors.empty() ? 0 : 72);
+  if (Status s = check_limits(source, triangles, triangles * 3 * per_corner); !s) return s;
+  if (all.too_small > 0) {
+    problems.push_back("left out " + std::to_string(all.too_small) +
+                       (all.too_small == 1 ? " face" : " faces") + " of fewer than three corners");
+  }
+  if (faces.sizes.empty()) {
     mesh.indices = std::move(faces.corners);
   } else {
-    mesh.indices.resize(3 * triangles);
-    FaceCutter cutter(mesh.positions);
-    std::uint32_t* out = mesh.indices.data();
-    const std::uint32_t* face = faces.corners.data();
-    for (const std::uint32_t size : faces.sizes) {
-      out = cutter.cut({face, size}, out);
-      face += size;
-    }
+    cut_faces(faces, blocks, mesh, pool);
   }
-  if (!faces.colors.empty()) color_triangles(mesh, faces);
-  drop_bad_triangles(mesh, problems);
+  if (!faces.colors.empty()) color_triangles(mesh, triangle_colors(faces, blocks, pool), pool);
+  drop_bad_triangles(mesh, problems, pool);
   return Done{};
 }
 

@@ -12,13 +12,18 @@
 
 namespace blysk::io {
 
-inline constexpr std::uint32_t kBadIndex = 0xffffffff;  ///< stands for what cannot be an index
-
 struct Faces {
-  Array<std::uint32_t> sizes;    ///< corners of each face
-  Array<std::uint32_t> corners;  ///< indices of vertices, face after face
+  Array<std::uint32_t> sizes;    ///< corners of each face; empty: all are triangles
+  Array<std::uint32_t> corners;  ///< indices of vertices, all in range, face after face
   Array<Vec4f> colors;           ///< linear RGBA of each face; empty: none
 
+  [[nodiscard]] std::size_t count() const { return sizes.empty() ? corners.size() / 3 : sizes.size(); }
+
+  /// Lets faces of other sizes follow.
+  void begin_faces() {
+    if (sizes.empty()) sizes.assign(corners.size() / 3, 3);
+    ended_ = corners.size();
+  }
   /// Ends a face of the corners that were pushed since the last one.
   void end_face() {
     sizes.push_back(static_cast<std::uint32_t>(corners.size() - ended_));
@@ -32,7 +37,11 @@ struct Faces {
 /// Turns the faces into the mesh's triangles, with the caller's limits, and leaves the bad ones out. Where
 /// faces have colours, vertices are copied so that each face shows its own.
 [[nodiscard]] Status add_faces(const Source& source, Faces faces, Mesh& mesh,
-                               std::vector<std::string>& problems);
+                               std::vector<std::string>& problems, ThreadPool& pool);
+
+/// "WHO uses vertex 9, but they count from 0 to 7": `text` is the index as the file has it.
+[[nodiscard]] std::string no_such_vertex(const std::string& who, const std::string& text,
+                                         std::uint64_t vertices);
 
 /// Puts the mesh into the scene, with a default material, unless it has no triangles.
 void add_mesh(Scene& scene, Mesh mesh);

@@ -164,9 +164,12 @@ class OffReader {
       }
       for (long long k = 0; k < size; ++k) {
         long long index = 0;
-        if (!next(index)) return fail("face " + std::to_string(i) + " needs more corners");
-        faces.corners.push_back(index >= 0 && index < kBadIndex ? static_cast<std::uint32_t>(index)
-                                                                : kBadIndex);
+        const std::string_view word = next();
+        if (!parse_number(word, index)) return fail("face " + std::to_string(i) + " needs more corners");
+        if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count_) {
+          return fail(no_such_vertex("face " + std::to_string(i), std::string(word), vertex_count_));
+        }
+        faces.corners.push_back(static_cast<std::uint32_t>(index));
       }
       faces.end_face();
       const std::size_t words = words_left_on_line();
@@ -181,7 +184,8 @@ class OffReader {
     }
     if (!faces.colors.empty()) faces.colors.resize(faces.sizes.size(), kUncolored);
     make_linear(faces.colors, largest);
-    return add_faces(source_, std::move(faces), mesh_, scene_.problems);
+    ThreadPool pool(faces.count() < kTrianglesWorthThreads ? 1 : source_.options.threads);
+    return add_faces(source_, std::move(faces), mesh_, scene_.problems, pool);
   }
 
   static void make_linear(Array<Vec4f>& colors, float largest) {

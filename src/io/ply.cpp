@@ -1,7 +1,7 @@
 // PLY, ASCII and binary of both byte orders: any order of elements and properties, faces and triangle strips.
 //
-// Two ways through the rows: rows of one size (vertices without lists, faces that are all triangles) are
-// converted in parallel column by column; all others are read value by value.
+// Two ways through the rows: those of binary files as programs write them (vertices without lists, faces with
+// none but that of their vertices) are converted in parallel; all others are read value by value.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -11,6 +11,7 @@
 
 #include "core/threads.h"
 #include "io/faces.h"
+#include "io/ply_faces.h"
 #include "io/ply_header.h"
 #include "io/ply_values.h"
 #include "io/ply_vertices.h"
@@ -21,27 +22,20 @@ namespace blysk::io {
 namespace {
 
 constexpr std::size_t kBytesWorthThreads = std::size_t{1} << 20;
-constexpr std::size_t kFacesPerBlock = 8192;
+constexpr Vec4f kWhite{1, 1, 1, 1};
 
-std::uint32_t to_index(double value) {
-  if (!(value >= 0 && value < static_cast<double>(kBadIndex))) return kBadIndex;
-  const auto index = static_cast<std::uint32_t>(value);
-  return static_cast<double>(index) == value ? index : kBadIndex;
-}
-
-bool is_index_list(const PlyProperty& p) {
-  return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
+// As the file may have it: a whole number, or anything.
+std::string index_text(double value) {
+  if (value == std::floor(value) && std::abs(value) < 1e15)
+    return std::to_string(static_cast<long long>(value));
+  return std::to_string(value);
 }
 
 // A strip's triangles, turning their order every time; an index below zero begins a new strip.
 class Strip {
  public:
-  void add(double value, Faces& faces) {
-    if (value < 0) {
-      length_ = 0;
-      return;
-    }
-    const std::uint32_t index = to_index(value);
+  void end() { length_ = 0; }
+  void add(std::uint32_t index, Faces& faces) {
     if (length_ >= 2) {
       const bool odd = length_ % 2 != 0;
       faces.corners.insert(faces.corners.end(),
@@ -176,147 +170,89 @@ class PlyReader {
     return Done{};
   }
 
-  enum class Role { skipped, corners, color };
-
-  // What each property of a face is for.
-  static std::vector<Role> find_roles(const PlyElement& e, bool with_colors) {
-    std::vector<Role> roles;
-    std::size_t colors = 0;
-    for (const PlyProperty& p : e.properties) {
-      const bool color = with_colors && !p.is_list && ply_color_channel(p.name) >= 0;
-      roles.push_back(is_index_list(p) ? Role::corners : color ? Role::color : Role::skipped);
-      colors += color;
-    }
-    if (colors < 3) std::replace(roles.begin(), roles.end(), Role::color, Role::skipped);
-    return roles;
-  }
-
   template <class Values>
   Status read_faces(const PlyElement& e, Values& values) {
-    const std::vector<Role> roles = find_roles(e, e.name == "face" && mesh_.colors.empty());
-    const bool colored = std::find(roles.begin(), roles.end(), Role::color) != roles.end();
-    if (header_.format != PlyFormat::ascii && !colored && read_triangles(e, values)) return Done{};
+    const bool may_color = e.name == "face" && mesh_.colors.empty();
+    if (e.name == "face" && faces_.corners.empty() && read_rows(e, may_color, values)) return Done{};
+    const std::vector<std::size_t> colors = may_color ? face_color_properties(e) : std::vector<std::size_t>{};
+    faces_.begin_faces();
+    if (!colors.empty()) faces_.colors.resize(faces_.count(), kWhite);
     for (std::uint64_t row = 0; row < e.count; ++row) {
-      Vec4f color{0, 0, 0, 1};
-      for (std::size_t i = 0; i < roles.size(); ++i) {
+      Vec4f color = kWhite;
+      auto next_color = colors.begin();
+      for (std::size_t i = 0; i < e.properties.size(); ++i) {
         const PlyProperty& p = e.properties[i];
-        const bool ok = roles[i] == Role::corners ? read_index_list(e, p, values)
-                        : roles[i] == Role::color ? read_color(p, values, color)
-                                                  : skip_property(p, values);
-        if (!ok) return values.failure(source_, row_name(e, row));
+        const bool colored = next_color != colors.end() && *next_color == i;
+        Status status = Done{};
+        if (is_index_list(p)) {
+          status = read_index_list(e, row, p, values);
+        } else if (colored ? !read_color(p, values, color) : !skip_property(p, values)) {
+          status = values.failure(source_, row_name(e, row));
+        }
+        if (!status) return status;
+        next_color += colored;
       }
-      if (colored) faces_.colors.resize(faces_.sizes.size(), color);
+      if (!colors.empty()) faces_.colors.resize(faces_.count(), color);
     }
     return Done{};
+  }
+
+  // The parallel way; false, and nothing done, where it cannot go.
+  template <class Values>
+  bool read_rows(const PlyElement& e, bool may_color, Values& values) {
+    const PlyFaceRows rows(e, header_.format, may_color);
+    if (!rows.usable()) return false;
+    const std::size_t bytes =
+        rows.read(source_.bytes.subspan(values.offset()), vertex_count(), faces_, pool_);
+    return bytes > 0 && values.skip(PlyType::uint8, bytes);
   }
 
   template <class Values>
   bool read_color(const PlyProperty& p, Values& values, Vec4f& color) {
     double value = 0;
     if (!values.next(p.type, value)) return false;
-    switch (ply_color_channel(p.name)) {
-      case 0:
-        color.x = ply_color(p.type, value);
-        break;
-      case 1:
-        color.y = ply_color(p.type, value);
-        break;
-      case 2:
-        color.z = ply_color(p.type, value);
-        break;
-      default:
-        color.w = ply_alpha(p.type, value);
-        break;
-    }
+    const int channel = ply_color_channel(p.name);
+    (&color.x)[channel] = ply_color(channel, p.type, value);
     return true;
   }
 
   template <class Values>
-  bool read_index_list(const PlyElement& e, const PlyProperty& p, Values& values) {
+  Status read_index_list(const PlyElement& e, std::uint64_t row, const PlyProperty& p, Values& values) {
     std::uint64_t count = 0;
-    if (!next_count(p, values, count)) return false;
+    if (!next_count(p, values, count)) return values.failure(source_, row_name(e, row));
+    const std::uint64_t vertices = vertex_count();
+    const bool strips = e.name == "tristrips";
     Strip strip;
     for (std::uint64_t i = 0; i < count; ++i) {
       double value = 0;
-      if (!values.next(p.type, value)) return false;
-      if (e.name == "tristrips") {
-        strip.add(value, faces_);
+      if (!values.next(p.type, value)) return values.failure(source_, row_name(e, row));
+      if (strips && value < 0) {
+        strip.end();
+      } else if (!(value >= 0 && value < static_cast<double>(vertices)) || value != std::floor(value)) {
+        return values.complaint(source_, no_such_vertex(row_name(e, row), index_text(value), vertices));
+      } else if (strips) {
+        strip.add(static_cast<std::uint32_t>(value), faces_);
       } else {
-        faces_.corners.push_back(to_index(value));
+        faces_.corners.push_back(static_cast<std::uint32_t>(value));
       }
     }
-    if (e.name == "face") faces_.end_face();
-    return true;
+    if (!strips) faces_.end_face();
+    return Done{};
   }
 
-  // Faces that are all triangles, with one list of the usual types: rows of one size. False, and nothing
-  // done, for others.
-  template <class Values>
-  bool read_triangles(const PlyElement& e, Values& values) {
-    if (e.name != "face" || !faces_.sizes.empty() || !mesh_.indices.empty()) return false;
-    std::size_t row_bytes = 0, list_offset = 0;
-    const PlyProperty* list = nullptr;
-    for (const PlyProperty& p : e.properties) {
-      if (!p.is_list) {
-        row_bytes += size_of(p.type);
-        continue;
-      }
-      if (!is_index_list(p) || list != nullptr) return false;
-      list = &p;
-      list_offset = row_bytes;
-      row_bytes += size_of(p.count_type) + 3 * size_of(p.type);
+  [[nodiscard]] std::uint64_t vertex_count() const {
+    for (const PlyElement& e : header_.elements) {
+      if (e.name == "vertex") return e.count;
     }
-    if (list == nullptr || size_of(list->type) != 4 || size_of(list->count_type) == 2) return false;
-    if (values.left() / row_bytes < e.count) return false;
-    if (e.count > source_.options.limits.max_triangles) return false;  // the other way says so
-
-    const std::byte* rows = source_.bytes.data() + values.offset();
-    mesh_.indices.resize(3 * e.count);
-    const bool swap = header_.format == PlyFormat::big_endian;
-    const bool byte_counts = size_of(list->count_type) == 1;
-    const bool all =
-        swap ? (byte_counts ? copy_triangles<std::uint8_t, true>(rows + list_offset, row_bytes)
-                            : copy_triangles<std::uint32_t, true>(rows + list_offset, row_bytes))
-             : (byte_counts ? copy_triangles<std::uint8_t, false>(rows + list_offset, row_bytes)
-                            : copy_triangles<std::uint32_t, false>(rows + list_offset, row_bytes));
-    if (!all) mesh_.indices = {};
-    return all && values.skip(PlyType::uint8, e.count * row_bytes);
-  }
-
-  // Whether every row's count is three; stops early where one is not.
-  template <class Count, bool kSwap>
-  bool copy_triangles(const std::byte* lists, std::size_t row_bytes) {
-    const std::size_t count = mesh_.indices.size() / 3;
-    std::atomic<bool> all = true;
-    pool_.for_each((count + kFacesPerBlock - 1) / kFacesPerBlock, [&](int, std::size_t block) {
-      const std::size_t end = std::min(count, (block + 1) * kFacesPerBlock);
-      if (!all.load(std::memory_order_relaxed)) return;
-      for (std::size_t face = block * kFacesPerBlock; face < end; ++face) {
-        const std::byte* from = lists + face * row_bytes;
-        if (load<Count, kSwap>(from) != 3) {
-          all.store(false, std::memory_order_relaxed);
-          return;
-        }
-        from += sizeof(Count);
-        std::uint32_t* to = &mesh_.indices[3 * face];
-        for (std::size_t k = 0; k < 3; ++k) {
-          to[k] = load<std::uint32_t, kSwap>(from + k * sizeof(std::uint32_t));
-        }
-      }
-    });
-    return all;
+    return 0;
   }
 
   Result<Scene> finish() {
-    if (mesh_.indices.empty() && faces_.sizes.empty()) {
+    if (faces_.count() == 0) {
       scene_.problems.push_back(std::to_string(mesh_.positions.size()) + " points without faces");
     }
-    if (!mesh_.indices.empty() && faces_.sizes.empty()) {
-      drop_bad_triangles(mesh_, scene_.problems, pool_);
-    } else {
-      append_strips();
-      if (Status s = add_faces(source_, std::move(faces_), mesh_, scene_.problems); !s) return s.error();
-    }
+    if (!faces_.colors.empty()) faces_.colors.resize(faces_.count(), kWhite);  // strips have none
+    if (Status s = add_faces(source_, std::move(faces_), mesh_, scene_.problems, pool_); !s) return s.error();
     mend_normals(mesh_);
     const bool textured = !header_.texture.empty() && !mesh_.texcoords.empty();
     add_mesh(scene_, std::move(mesh_));
@@ -327,16 +263,6 @@ class PlyReader {
       scene_.materials[0].color_texture = 0;
     }
     return std::move(scene_);
-  }
-
-  // Strips may follow triangles of the fast way, or faces with colours.
-  void append_strips() {
-    if (!mesh_.indices.empty()) {
-      faces_.sizes.insert(faces_.sizes.end(), mesh_.indices.size() / 3, 3u);
-      faces_.corners.insert(faces_.corners.end(), mesh_.indices.begin(), mesh_.indices.end());
-      mesh_.indices = {};
-    }
-    if (!faces_.colors.empty()) faces_.colors.resize(faces_.sizes.size(), Vec4f{1, 1, 1, 1});
   }
 
   const Source& source_;

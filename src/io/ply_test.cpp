@@ -154,6 +154,54 @@ TEST(ply, binary_colors_and_doubles_in_both_orders) {
   }
 }
 
+// Twenty thousand faces of two to five corners, their colour around the list: every way to read them and any
+// number of threads give the same mesh.
+TEST(ply, colored_polygons_in_every_format) {
+  using u8 = std::uint8_t;
+  using u16 = std::uint16_t;
+  constexpr int kFaces = 20000;
+  const std::string list =
+      "property uchar red\nproperty float quality\nproperty list ushort uint vertex_indices\n"
+      "property uchar green\nproperty uchar blue\n";
+  const Vec2f ring[] = {{1, 0}, {0.5f, 1}, {-1, 0.5f}, {-0.75f, -0.5f}, {0, -1}};
+  std::string files[3];
+  for (int format = 0; format < 3; ++format) {
+    std::string& file = files[format];
+    constexpr const char* kNames[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+    file = header(kNames[format], vertices(5, kXyz) + faces(kFaces, list));
+    const auto add = [&](auto... v) {
+      if (format == 0) {
+        ((file += std::to_string(v) + " "), ...);
+      } else {
+        file += format == 2 ? packed_big(v...) : packed(v...);
+      }
+    };
+    for (const Vec2f& p : ring) add(p.x, p.y, 0.0f);
+    for (int face = 0; face < kFaces; ++face) {
+      const int corners = face % 11 == 0 ? 2 + face / 11 % 4 : 3;
+      add(u8(face / 100), 0.5f, static_cast<u16>(corners));
+      for (int k = 0; k < corners; ++k) add((face + k) % 5);
+      add(u8(face % 2), u8{7});
+    }
+  }
+  ModelOptions options;
+  options.threads = 1;
+  const Result<Scene> first = load_text(files[0], "x.ply", options);
+  ASSERT_TRUE(first) << first.error().text();
+  const Mesh& wanted = first->meshes.at(0);
+  EXPECT_EQ(wanted.colors[wanted.indices[0]].z, srgb_to_linear(u8{7}));
+  EXPECT_LT(wanted.positions.size(), 5u * 2 * kFaces / 100 * 2);
+  for (int i = 1; i < 6; ++i) {
+    options.threads = 1 + i / 3 * 2;
+    const Result<Scene> scene = load_text(files[i % 3], "x.ply", options);
+    ASSERT_TRUE(scene) << scene.error().text();
+    EXPECT_EQ(scene->meshes.at(0).indices, wanted.indices);
+    EXPECT_EQ(scene->meshes.at(0).positions, wanted.positions);
+    EXPECT_EQ(scene->meshes.at(0).colors, wanted.colors);
+    EXPECT_EQ(scene->problems, first->problems);
+  }
+}
+
 TEST(ply, polygons_are_cut_and_scraps_left_out) {
   const Result<Scene> scene = load_text(
       header("ascii", vertices(4, kXyz) + faces(3)) + "0 0 0\n4 0 0\n4 4 0\n3 1 0\n4 0 1 2 3\n2 0 1\n0\n",
@@ -190,7 +238,7 @@ TEST(ply, strips) {
   const Result<Scene> scene = load_text(file, "x.ply");
   ASSERT_TRUE(scene) << scene.error().text();
   EXPECT_EQ(scene->meshes[0].indices, (Array<std::uint32_t>{0, 1, 2, 2, 1, 3, 2, 3, 4}));
-  EXPECT_EQ(scene->problems.at(0), "mesh: left out 1 degenerate triangles");
+  EXPECT_EQ(scene->problems.at(0), "mesh: left out 1 degenerate triangle");
   // And behind faces, of the fast way too.
   std::string both =
       header("binary_little_endian",
@@ -203,14 +251,24 @@ TEST(ply, strips) {
   EXPECT_NEAR(area(joined->meshes[0]), 1, 1e-6);
 }
 
-TEST(ply, indices_out_of_range_are_left_out) {
-  const Result<Scene> scene = load_text(header("ascii", vertices(4, kXyz) + faces(4)) + kSquareRows +
-                                            "3 0 1 2\n3 0 1 4\n3 -1 1 2\n3 0 1 4294967296\n",
-                                        "x.ply");
-  ASSERT_TRUE(scene) << scene.error().text();
-  EXPECT_EQ(scene->triangles(), 1u);
-  EXPECT_EQ(scene->meshes[0].positions.size(), 3u);
-  EXPECT_EQ(scene->problems.at(0), "mesh: left out 3 out-of-range triangles");
+// In the row that is wrong, or the line of a text, in whatever way the rows are read.
+TEST(ply, indices_out_of_range) {
+  const std::string text = header("ascii", vertices(4, kXyz) + faces(4)) + kSquareRows + "3 0 1 2\n3 0 1 ";
+  const auto message = [&](const std::string& index) {
+    const Result<Scene> scene = load_text(text + index + "\n3 0 1 3\n3 0 2 3\n", "x.ply");
+    return scene ? std::string() : scene.error().text();
+  };
+  constexpr const char* kRest = ", but they count from 0 to 3; save the model again";
+  for (const char* index : {"4", "-1", "4294967296", "1.5"}) {
+    const std::string shown = index == std::string("1.5") ? "1.500000" : index;
+    EXPECT_EQ(message(index), "x.ply:15: 'face' 2 of 4 uses vertex " + shown + kRest);
+  }
+  std::string binary = header("binary_little_endian", vertices(4, kXyz) + faces(2));
+  for (const Vec3f& p : kSquareCorners) binary += packed(p.x, p.y, p.z);
+  binary += '\3' + packed(0, 1, 2) + '\3' + packed(0, -2, 2);
+  const Result<Scene> scene = load_text(binary, "x.ply");
+  ASSERT_FALSE(scene);
+  EXPECT_EQ(scene.error().text(), std::string("x.ply: 'face' 2 of 2 uses vertex -2") + kRest);
 }
 
 TEST(ply, unusable_normals_are_made) {

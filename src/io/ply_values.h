@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <string>
 #include <type_traits>
+#include <utility>
 
 #include "io/ply_header.h"
 #include "io/text.h"
@@ -78,7 +80,10 @@ class BinaryPlyValues {
     return true;
   }
   [[nodiscard]] Error failure(const Source& source, const std::string& where) const {
-    return broken(source, "is cut short: it ends in " + where);
+    return complaint(source, "is cut short: it ends in " + where);
+  }
+  [[nodiscard]] Error complaint(const Source& source, std::string what) const {
+    return broken(source, std::move(what));
   }
 
  private:
@@ -113,7 +118,11 @@ class AsciiPlyValues {
     text_.skip_space();
     const std::string what =
         text_.at_end() ? "is cut short: it ends in " : "has something other than a number in ";
-    return broken_at(source, offset(), what + where);
+    return complaint(source, what + where);
+  }
+  /// About what was read last.
+  [[nodiscard]] Error complaint(const Source& source, std::string what) const {
+    return broken_at(source, offset(), std::move(what));
   }
 
  private:

@@ -36,16 +36,20 @@ float to_single(double value) {
   return static_cast<float>(value);
 }
 
-}  // namespace
-
-float ply_color(PlyType type, double value) {
+float tone(PlyType type, double value) {
   const double most = largest(type);
   if (most != 255) return static_cast<float>(srgb_to_linear(value / most));
   return srgb_to_linear(static_cast<std::uint8_t>(value > 0 ? std::min(value, 255.0) + 0.5 : 0.0));
 }
 
-float ply_alpha(PlyType type, double value) {
+float alpha(PlyType type, double value) {
   return value > 0 ? static_cast<float>(std::min(value / largest(type), 1.0)) : 0.0f;
+}
+
+}  // namespace
+
+float ply_color(int channel, PlyType type, double value) {
+  return channel == 3 ? alpha(type, value) : tone(type, value);
 }
 
 int ply_color_channel(std::string_view name) {
@@ -166,7 +170,7 @@ void PlyVertices::store(std::size_t vertex, std::size_t property, double value) 
   if (c.attribute != Attribute::color) {
     to = to_single(value);
   } else {
-    to = c.component == 3 ? ply_alpha(c.type, value) : ply_color(c.type, value);
+    to = ply_color(c.component, c.type, value);
   }
 }
 
@@ -182,9 +186,9 @@ void PlyVertices::store_block(const Column& c, const std::byte* rows, std::size_
   if (c.attribute == Attribute::color) {
     const PlyType type = c.type;
     if (c.component == 3) {
-      each([type](T v) { return ply_alpha(type, static_cast<double>(v)); });
+      each([type](T v) { return alpha(type, static_cast<double>(v)); });
     } else {
-      each([type](T v) { return ply_color(type, static_cast<double>(v)); });
+      each([type](T v) { return tone(type, static_cast<double>(v)); });
     }
   } else if constexpr (std::is_same_v<T, double>) {
     each(to_single);

@@ -10,13 +10,12 @@
 
 namespace blysk::io {
 
-/// A channel of a colour as files have it, an sRGB value of the type's range, as linear light 0..1. Alpha is
-/// not bent.
-[[nodiscard]] float ply_color(PlyType type, double value);
-[[nodiscard]] float ply_alpha(PlyType type, double value);
-
 /// Which of r, g, b, a (0..3) a property of this name is; -1: none.
 [[nodiscard]] int ply_color_channel(std::string_view name);
+
+/// A channel of a colour as files have it, an sRGB value of the type's range, as linear light 0..1. Alpha is
+/// not bent.
+[[nodiscard]] float ply_color(int channel, PlyType type, double value);
 
 class PlyVertices {
  public:

@@ -62,9 +62,10 @@ class FileBytes {
   std::size_t mapped_ = 0;  // length of the mapping that begins at bytes_.data()
 };
 
-/// Removes triangles with an index out of range, a repeated or coinciding corner, or a corner that is not
-/// finite, and says so in `problems` ("mesh NAME: left out 12 degenerate and 1 non-finite triangles").
-/// Removes the vertices that no triangle uses, so that a stray point cannot push a model out of its frame.
+/// Removes triangles whose area in double precision is zero, and those with a corner that is not finite, and
+/// says so in `problems` ("mesh NAME: left out 12 degenerate and 1 non-finite triangles"). All indices must
+/// be in range. Removes the vertices that no triangle uses, so that a stray point cannot push a model out of
+/// its frame.
 void drop_bad_triangles(Mesh& mesh, std::vector<std::string>& problems, ThreadPool& pool);
 void drop_bad_triangles(Mesh& mesh, std::vector<std::string>& problems);  // in the caller's thread
 

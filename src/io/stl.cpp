@@ -1,4 +1,6 @@
-// STL, binary and ASCII. Corners at the same position become one vertex; faces stay flat.
+// STL, binary and ASCII. Equal corners near each other become one vertex; faces stay flat.
+#include <bit>
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -6,27 +8,54 @@
 #include "io/faces.h"
 #include "io/polygon.h"
 #include "io/reader.h"
+#include "io/share_equal.h"
 #include "io/stl_layout.h"
 #include "io/text.h"
-#include "scene/weld.h"
 
 namespace blysk::io {
 namespace {
 
-constexpr std::size_t kPointsWorthThreads = 60000;
+// Memory of a mesh of n triangles: indices, and at worst every corner a vertex, held twice for a moment.
+std::uint64_t memory_for(std::uint64_t triangles) { return triangles * 3 * (4 + 12 + 12); }
 
-// Memory of a mesh of n triangles, welded: indices, and at worst every corner a vertex and a slot of the
-// table.
-std::uint64_t memory_for(std::uint64_t triangles) { return triangles * 3 * (4 + 12 + 12 + 32); }
+// A corner as bits, so that a NaN finds itself.
+struct Corner {
+  std::uint32_t x, y, z;
 
-// Adds a mesh of welded corners, less its bad triangles.
-void add_corners(const PackedPoints& corners, int threads, std::string name, Scene& scene) {
-  ThreadPool pool(corners.size() < kPointsWorthThreads ? 1 : threads);
-  Welded welded = weld(corners, pool);
+  [[nodiscard]] std::uint64_t hash() const {
+    const std::uint64_t xy = x | std::uint64_t{y} << 32;
+    const std::uint64_t h = (xy ^ (xy >> 29)) * 0x9e3779b97f4a7c15u;
+    return (h ^ (h >> 32) ^ z) * 0xd6e8feb86659fd93u;
+  }
+  friend bool operator==(const Corner&, const Corner&) = default;
+};
+
+Corner load_corner(const std::byte* at) {
+  Vec3f p;
+  std::memcpy(&p, at, sizeof p);
+  return std::bit_cast<Corner>(Vec3f{p.x + 0.0f, p.y + 0.0f, p.z + 0.0f});  // -0 + 0 is 0
+}
+
+// Adds a mesh of triangles, less the bad ones. Their packed corners stand `stride` bytes from each other.
+void add_triangles(const std::byte* first, std::size_t count, std::size_t stride, int threads,
+                   std::string name, Scene& scene) {
+  ThreadPool pool(count < kTrianglesWorthThreads ? 1 : threads);
+  const auto each = [&](std::size_t begin, std::size_t end, const auto& take) {
+    for (std::size_t triangle = begin / 3; triangle < end / 3; ++triangle) {
+      const std::byte* corner = first + triangle * stride;
+      for (int k = 0; k < 3; ++k) take(load_corner(corner + static_cast<std::size_t>(k) * sizeof(Vec3f)));
+    }
+  };
+  SharedKeys<Corner> shared = share_equal<Corner>(3 * count, each, pool);
   Mesh mesh;
   mesh.name = std::move(name);
-  mesh.positions = std::move(welded.positions);
-  mesh.indices = std::move(welded.ids);
+  mesh.positions.resize(shared.count());
+  pool.for_each(shared.runs.size(), [&](int, std::size_t run) {
+    Vec3f* to = mesh.positions.data() + shared.first[run];
+    for (const Corner& corner : shared.runs[run]) *to++ = std::bit_cast<Vec3f>(corner);
+    shared.runs[run] = {};
+  });
+  mesh.indices = std::move(shared.ids);
   drop_bad_triangles(mesh, scene.problems, pool);
   add_mesh(scene, std::move(mesh));
 }
@@ -47,8 +76,8 @@ Result<Scene> read_binary(const Source& source) {
     scene.problems.push_back("ignored " + std::to_string(bytes.size() - kStlHeader - kStlTriangle * count) +
                              " bytes after the last of " + std::to_string(count) + " triangles");
   }
-  const PackedPoints corners{bytes.data() + kStlHeader + sizeof(Vec3f), count, 3, kStlTriangle};
-  add_corners(corners, source.options.threads, {}, scene);
+  const std::byte* first_corner = bytes.data() + kStlHeader + sizeof(Vec3f);  // behind a normal
+  add_triangles(first_corner, count, kStlTriangle, source.options.threads, {}, scene);
   return scene;
 }
 
@@ -126,8 +155,8 @@ class AsciiStl {
     triangles_ += triangles;
     if (Status s = check_limits(source_, triangles_, memory_for(triangles_)); !s) return s;
     if (triangles == 0) return Done{};
-    const PackedPoints corners{reinterpret_cast<const std::byte*>(corners_.data()), corners_.size()};
-    add_corners(corners, source_.options.threads, name_, scene_);
+    add_triangles(reinterpret_cast<const std::byte*>(corners_.data()), triangles, 3 * sizeof(Vec3f),
+                  source_.options.threads, name_, scene_);
     corners_.clear();
     name_.clear();
     return Done{};

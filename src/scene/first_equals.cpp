@@ -126,7 +126,7 @@ Array<std::uint32_t> first_equals(const Array<Vec3f>& points, ThreadPool& pool) 
   const Array<std::uint32_t> again = suspects(places, kFactors[1], pool);
   suspected = pick(suspected, again);
   places = pick(places, again);
-  const WeldedIds welded = weld_ids({reinterpret_cast<const std::byte*>(places.data()), places.size()}, pool);
+  const WeldedIds welded = weld_ids(places, pool);
   if (welded.count == suspected.size()) return {};
 
   Array<std::uint32_t> first(points.size());

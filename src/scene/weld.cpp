@@ -18,19 +18,13 @@ constexpr std::size_t kPointsPerChunk = 50000;  // fewer are not worth a thread
 constexpr std::size_t kMostProbes = 1024;       // far beyond what honest points need at half load
 constexpr std::uint32_t kEmpty = 0xffffffff;
 
-Vec3f load_point(const std::byte* at) {
-  Vec3f p;
-  std::memcpy(&p, at, sizeof p);
-  return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f};  // -0 + 0 is 0
-}
-
-Vec3f load_point(const PackedPoints& points, std::size_t i) {
-  return load_point(points.first + i / points.points_per_group * points.stride +
-                    i % points.points_per_group * sizeof(Vec3f));
-}
+Vec3f load_point(const Vec3f& p) { return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}; }  // -0 + 0 is 0
 
 // Equal bits, so that a NaN finds itself.
-bool same(const Vec3f& a, const Vec3f& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same(const Vec3f& a, const Vec3f& b) {
+  const auto bits = [](float f) { return std::bit_cast<std::uint32_t>(f); };
+  return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);
+}
 
 std::uint32_t hash(const Vec3f& p) {
   const std::uint64_t xy =
@@ -103,34 +97,27 @@ class PointTable {
 };
 
 struct Chunk {
-  std::size_t begin = 0, end = 0;  // groups
+  std::size_t begin = 0, end = 0;
   PointTable table;
   std::vector<std::uint32_t> earlier_chunk;  // per distinct point, where it stood first; kEmpty: here
   Array<std::uint32_t> final_ids;  // per distinct point; while looking up: its id in the earlier chunk
   std::uint32_t first_id = 0;      // id of this chunk's first new point
 
-  Chunk(std::size_t b, std::size_t e, std::size_t points) : begin(b), end(e), table(points / 6 + 1) {}
+  Chunk(std::size_t b, std::size_t e) : begin(b), end(e), table((e - b) / 6 + 1) {}
 };
 
 // Local ids of a chunk's points.
-void weld_chunk(const PackedPoints& points, Chunk& chunk, std::uint32_t* ids) {
-  const std::size_t per_group = points.points_per_group;
-  const std::size_t groups_per_batch = std::max<std::size_t>(1, kBatch / per_group);
-  std::vector<Vec3f> batch(groups_per_batch * per_group);
-  std::vector<std::uint32_t> hashes(batch.size());
-  for (std::size_t group = chunk.begin; group < chunk.end && !chunk.table.defeated();) {
-    const std::size_t stop = std::min(chunk.end, group + groups_per_batch);
-    std::uint32_t* out = ids + group * per_group;
-    std::size_t count = 0;
-    for (; group < stop; ++group) {
-      const std::byte* at = points.first + group * points.stride;
-      for (std::size_t k = 0; k < per_group; ++k, ++count) {
-        batch[count] = load_point(at + k * sizeof(Vec3f));
-        hashes[count] = hash(batch[count]);
-        chunk.table.prefetch(hashes[count]);
-      }
+void weld_chunk(const Array<Vec3f>& points, Chunk& chunk, std::uint32_t* ids) {
+  Vec3f batch[kBatch];
+  std::uint32_t hashes[kBatch];
+  for (std::size_t begin = chunk.begin; begin < chunk.end && !chunk.table.defeated(); begin += kBatch) {
+    const std::size_t count = std::min(kBatch, chunk.end - begin);
+    for (std::size_t i = 0; i < count; ++i) {
+      batch[i] = load_point(points[begin + i]);
+      hashes[i] = hash(batch[i]);
+      chunk.table.prefetch(hashes[i]);
     }
-    for (std::size_t i = 0; i < count; ++i) out[i] = chunk.table.insert(batch[i], hashes[i]);
+    for (std::size_t i = 0; i < count; ++i) ids[begin + i] = chunk.table.insert(batch[i], hashes[i]);
   }
 }
 
@@ -168,27 +155,18 @@ std::uint32_t number(std::vector<Chunk>& chunks) {
   return next;
 }
 
-void finish_ids(const PackedPoints& points, const Chunk& chunk, Array<std::uint32_t>& ids) {
+void finish_ids(const Chunk& chunk, Array<std::uint32_t>& ids) {
   if (chunk.begin == 0) return;  // the first chunk's ids are final
-  std::uint32_t* id = ids.data() + chunk.begin * points.points_per_group;
-  std::uint32_t* end = ids.data() + chunk.end * points.points_per_group;
-  for (; id != end; ++id) *id = chunk.final_ids[*id];
-}
-
-void copy_positions(const Chunk& chunk, Array<Vec3f>& positions) {
-  const Array<Vec3f>& local = chunk.table.points();
-  for (std::size_t i = 0; i < local.size(); ++i) {
-    if (chunk.earlier_chunk[i] == kEmpty) positions[chunk.final_ids[i]] = local[i];
-  }
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i) ids[i] = chunk.final_ids[ids[i]];
 }
 
 // For points whose hashes somebody made collide.
-WeldedIds weld_by_sorting(const PackedPoints& points) {
+WeldedIds weld_by_sorting(const Array<Vec3f>& points) {
   Array<std::uint32_t> order;
   order.resize(points.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const Vec3f p = load_point(points, a), q = load_point(points, b);
+    const Vec3f p = load_point(points[a]), q = load_point(points[b]);
     const int difference = std::memcmp(&p, &q, sizeof p);
     return difference != 0 ? difference < 0 : a < b;
   });
@@ -196,7 +174,7 @@ WeldedIds weld_by_sorting(const PackedPoints& points) {
   welded.ids.resize(points.size());
   // First the first of the equals, in its own place; then the ids in the order of the points.
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool repeats = i > 0 && same(load_point(points, order[i]), load_point(points, order[i - 1]));
+    const bool repeats = i > 0 && same(load_point(points[order[i]]), load_point(points[order[i - 1]]));
     welded.ids[order[i]] = repeats ? welded.ids[order[i - 1]] : order[i];
   }
   for (std::uint32_t i = 0; i < order.size(); ++i) {
@@ -206,49 +184,26 @@ WeldedIds weld_by_sorting(const PackedPoints& points) {
   return welded;
 }
 
-// The chunks with all that is known when their points are welded; no chunks where hashing was defeated.
-struct Weld {
-  std::vector<Chunk> chunks;
-  WeldedIds welded;
-};
+}  // namespace
 
-Weld weld_chunks(const PackedPoints& points, ThreadPool& pool) {
+WeldedIds weld_ids(const Array<Vec3f>& points, ThreadPool& pool) {
   const std::size_t count = std::clamp<std::size_t>(points.size() / kPointsPerChunk, 1,
                                                     std::min<std::size_t>(pool.size(), kMostChunks));
-  Weld weld;
-  std::vector<Chunk>& chunks = weld.chunks;
+  std::vector<Chunk> chunks;
   for (std::size_t c = 0; c < count; ++c) {
-    const std::size_t begin = points.groups * c / count, end = points.groups * (c + 1) / count;
-    chunks.emplace_back(begin, end, (end - begin) * points.points_per_group);
+    chunks.emplace_back(points.size() * c / count, points.size() * (c + 1) / count);
   }
-  Array<std::uint32_t>& ids = weld.welded.ids;
+  WeldedIds welded;
+  Array<std::uint32_t>& ids = welded.ids;
   ids.resize(points.size());
   pool.for_each(count, [&](int, std::size_t c) { weld_chunk(points, chunks[c], ids.data()); });
   if (std::any_of(chunks.begin(), chunks.end(), [](const Chunk& c) { return c.table.defeated(); })) {
-    return {{}, weld_by_sorting(points)};
+    return weld_by_sorting(points);
   }
   pool.for_each(count, [&](int, std::size_t c) { find_earlier(chunks, c); });
-  weld.welded.count = number(chunks);
-  pool.for_each(count, [&](int, std::size_t c) { finish_ids(points, chunks[c], ids); });
-  return weld;
-}
-
-}  // namespace
-
-WeldedIds weld_ids(const PackedPoints& points, ThreadPool& pool) { return weld_chunks(points, pool).welded; }
-
-Welded weld(const PackedPoints& points, ThreadPool& pool) {
-  Weld weld = weld_chunks(points, pool);
-  Welded result;
-  result.positions.resize(weld.welded.count);
-  pool.for_each(weld.chunks.size(),
-                [&](int, std::size_t c) { copy_positions(weld.chunks[c], result.positions); });
-  result.ids = std::move(weld.welded.ids);
-  if (weld.chunks.empty()) {
-    for (std::size_t i = 0; i < result.ids.size(); ++i)
-      result.positions[result.ids[i]] = load_point(points, i);
-  }
-  return result;
+  welded.count = number(chunks);
+  pool.for_each(count, [&](int, std::size_t c) { finish_ids(chunks[c], ids); });
+  return welded;
 }
 
 }  // namespace blysk

@@ -15,9 +15,7 @@ namespace {
 class Parts {
  public:
   Parts(const Mesh& mesh, ThreadPool& threads) {
-    const PackedPoints points = {reinterpret_cast<const std::byte*>(mesh.positions.data()),
-                                 mesh.positions.size()};
-    welded_ = weld_ids(points, threads);
+    welded_ = weld_ids(mesh.positions, threads);
     parent_.resize(welded_.count);
     std::iota(parent_.begin(), parent_.end(), 0u);
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
