@@ -209,7 +209,7 @@ std::string to_text(const Scene& scene, const std::string& input) {
 
 Result<int> run_info(const Arguments& arguments) {
   const std::string& input = arguments.operands().front();
-  const Result<Scene> scene = load_within_limits(input, arguments);
+  const Result<Scene> scene = load_within_limits(input, true, arguments);
   if (!scene) return scene.error();
   const Status status =
       arguments.has("json") ? print_json(to_json(*scene, input)) : print(to_text(*scene, input));

@@ -27,8 +27,9 @@ Error unknown_subcommand(const std::string& word) {
     return usage_error(source, "options stand after the subcommand (one of " + join(names, ", ") +
                                    "), or are --help or --version");
   }
-  return usage_error(
-      source, "no such subcommand" + did_you_mean(word, names) + " (one of " + join(names, ", ") + ")");
+  const bool dashes_forgotten = word == "help" || word == "version";
+  const std::string meant = dashes_forgotten ? ", did you mean '--" + word + "'?" : did_you_mean(word, names);
+  return usage_error(source, "no such subcommand" + meant + " (one of " + join(names, ", ") + ")");
 }
 
 Result<int> run(const std::vector<std::string>& words) {

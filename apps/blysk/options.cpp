@@ -309,7 +309,7 @@ std::vector<Option> material_options() {
        .group = Group::material,
        .low = 0,
        .high = 180,
-       .initial = number_text(ModelOptions{}.crease_deg),
+       .without = "60; STL and glTF stay flat",
        .example = "30",
        .help =
            "for files without normals: edges that bend more than this stay sharp; 0 shows every face flat"},

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 
 #include "blysk/model.h"
+#include "blysk/shapes.h"
 #include "terminal.h"
 #include "text.h"
 
@@ -70,7 +72,8 @@ double fitting_height(const Scene& scene, double aspect) {
 
 Result<Camera> camera_of_file(const std::string& wanted, const Scene& scene) {
   const std::string source = "--camera " + wanted;
-  if (scene.cameras.empty()) return usage_error(source, "the model has no cameras");
+  if (scene.cameras.empty())
+    return usage_error(source, "the model has no cameras; without --camera all of it is framed");
   std::vector<std::string> names;
   for (const Camera& camera : scene.cameras) {
     if (camera.name == wanted) return camera;
@@ -154,6 +157,17 @@ std::vector<Light> lights_of(const Arguments& arguments) {
   return lights;
 }
 
+// For who writes "teapot", or mistypes "shape:", where no such file is.
+std::string shape_meant(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored)) return "";
+  const std::string name = path.substr(path.find(':') + 1);  // all of it where there is none
+  for (const ShapeInfo& shape : shapes()) {
+    if (name.substr(0, name.find('?')) == shape.name) return ", or did you mean shape:" + name + "?";
+  }
+  return "";
+}
+
 }  // namespace
 
 Status check_scene_options(const Arguments& arguments) {
@@ -196,12 +210,18 @@ Result<Isa> isa_of(const Arguments& arguments) {
                      "this processor or build does not run it; it runs " + join(names, ", "));
 }
 
-Result<Scene> load_within_limits(const std::string& path, const Arguments& arguments) {
+Result<Scene> load_within_limits(const std::string& path, bool may_be_empty, const Arguments& arguments) {
   ModelOptions options;
-  options.crease_deg = arguments.number("crease");
+  if (arguments.has("crease")) options.crease_deg = arguments.number("crease");
+  options.may_be_empty = may_be_empty;
   options.threads = threads_of(arguments);
   options.limits = limits_of(arguments);
   Result<Scene> scene = load_model(path, options);
+  if (!scene && scene.error().code == ErrorCode::input) {
+    Error error = scene.error();
+    error.message += shape_meant(path);
+    return error;
+  }
   if (!scene) return scene;
   if (const Status status = check_triangles(scene->triangles(), path, arguments); !status)
     return status.error();
@@ -210,17 +230,20 @@ Result<Scene> load_within_limits(const std::string& path, const Arguments& argum
 
 Result<Scene> load_models(const Arguments& arguments) {
   Scene scene;
+  const bool several = arguments.operands().size() > 1;
   for (const std::string& path : arguments.operands()) {
-    Result<Scene> model = load_within_limits(path, arguments);
+    Result<Scene> model = load_within_limits(path, several, arguments);
     if (!model) return model.error();
     for (std::string& problem : model->problems) problem.insert(0, path + ": ");
     scene.append(std::move(*model));
     if (const Status s = check_triangles(scene.triangles(), path, arguments); !s) return s.error();
   }
   if (scene.triangles() == 0) {
-    return Error{.code = ErrorCode::input,
-                 .message = "there are no triangles to draw; blysk info tells what is in the file",
-                 .source = arguments.operands().front()};
+    return Error{
+        .code = ErrorCode::input,
+        .message =
+            "neither this nor the other models have triangles to draw; `blysk info` tells what is in a file",
+        .source = arguments.operands().front()};
   }
   if (arguments.text("up-axis") == "z") stand_up(scene);
   override_materials(arguments, scene);

@@ -17,7 +17,8 @@ namespace blysk::command {
 [[nodiscard]] Result<Isa> isa_of(const Arguments& arguments);
 
 /// Reads one model; --max-triangles and --max-memory hold for shapes too.
-[[nodiscard]] Result<Scene> load_within_limits(const std::string& path, const Arguments& arguments);
+[[nodiscard]] Result<Scene> load_within_limits(const std::string& path, bool may_be_empty,
+                                               const Arguments& arguments);
 /// Reads all models into one scene, upright and with the material overrides.
 [[nodiscard]] Result<Scene> load_models(const Arguments& arguments);
 

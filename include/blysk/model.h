@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,15 +17,21 @@
 namespace blysk {
 
 struct ModelOptions {
-  double crease_deg = 60;  ///< for files without normals, see make_normals()
-  int threads = 0;         ///< 0: one per processor
+  static constexpr double kCreaseDeg = 60;
+
+  /// For files without normals, see make_normals(). Not given: kCreaseDeg, but faces of STL and glTF stay
+  /// flat, as these formats mean them.
+  std::optional<double> crease_deg = std::nullopt;
+  bool may_be_empty =
+      false;        ///< a file without triangles is a Scene too; Scene::problems says what it has instead
+  int threads = 0;  ///< 0: one per processor
   Limits limits;
 };
 
 /// Reads a file; "-" is standard input; "shape:..." a built-in shape. Triangles that are degenerate or
 /// not finite are left out and counted in Scene::problems. A broken file is ErrorCode::input with the
-/// place, and so is one without a triangle; time and memory stay in proportion to the file's size whatever it
-/// says of itself.
+/// place, and so is one without a triangle, unless it may be empty; time and memory stay in proportion to the
+/// file's size whatever it says of itself.
 [[nodiscard]] Result<Scene> load_model(const std::string& path, const ModelOptions& options = {});
 
 /// The same from memory. `name` stands in messages and gives the extension; `folder` is where files

@@ -62,10 +62,17 @@ std::string folder_of(const std::string& path) {
   return slash == 0 ? "/" : path.substr(0, slash);
 }
 
+bool is_folder(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+}
+
 std::string reason_of(int error, const std::string& path) {
   if (path.empty()) return "its name is empty; give one";
   switch (error) {
     case ENOENT:
+      if (is_folder(folder_of(path)))  // of those that a kernel makes
+        return "the folder " + folder_of(path) + " takes no files; choose another place";
       return "the folder " + folder_of(path) + " does not exist; create it first";
     case ENOTDIR:
       return folder_of(path) + " is not a folder; choose another one";

@@ -153,6 +153,12 @@ std::string no_such_vertex(const std::string& who, const std::string& text, std:
          "; save the model again";
 }
 
+std::string no_faces(std::uint64_t vertices) {
+  if (vertices == 0) return "there are neither vertices nor faces";
+  return vertices == 1 ? "there is 1 vertex, but no faces"
+                       : "there are " + std::to_string(vertices) + " vertices, but no faces";
+}
+
 Status add_faces(const Source& source, Faces faces, Mesh& mesh, std::vector<std::string>& problems,
                  ThreadPool& pool) {
   const std::vector<FaceBlock> blocks = count_blocks(faces, pool);

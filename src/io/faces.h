@@ -43,6 +43,9 @@ struct Faces {
 [[nodiscard]] std::string no_such_vertex(const std::string& who, const std::string& text,
                                          std::uint64_t vertices);
 
+/// "there are 8 vertices, but no faces", which a reader says of such a file.
+[[nodiscard]] std::string no_faces(std::uint64_t vertices);
+
 /// Puts the mesh into the scene, with a default material, unless it has no triangles.
 void add_mesh(Scene& scene, Mesh mesh);
 

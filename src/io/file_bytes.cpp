@@ -25,8 +25,23 @@ struct Descriptor {
 
 std::string shown(const std::string& path) { return path == "-" ? "standard input" : path; }
 
+std::string what_to_do(int error) {
+  switch (error) {
+    case ENOENT:
+    case ENOTDIR:
+      return "there is no such file; check its name and folder";
+    case EACCES:
+      return "no permission; change the permissions of the file or its folder";
+    case ENOMEM:
+      return "there is not enough memory for it";
+    default:
+      return std::generic_category().message(error);
+  }
+}
+
 Error unreadable(const std::string& path, int error) {
-  return {ErrorCode::input, "cannot be read: " + std::generic_category().message(error), shown(path)};
+  if (path.empty()) return {ErrorCode::input, "a model's name is empty; give the name of a file", ""};
+  return {ErrorCode::input, "cannot be read: " + what_to_do(error), shown(path)};
 }
 
 Error too_large(const std::string& path, std::uint64_t max_bytes) {
@@ -76,7 +91,7 @@ Result<FileBytes> FileBytes::open(const std::string& path, std::uint64_t max_byt
   file.number = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   struct stat status {};
   if (file.number < 0 || fstat(file.number, &status) != 0) return unreadable(path, errno);
-  if (S_ISDIR(status.st_mode)) return Error{ErrorCode::input, "is a folder, not a file", shown(path)};
+  if (S_ISDIR(status.st_mode)) return Error{ErrorCode::input, "is a folder; name a file in it", shown(path)};
 
   FileBytes result;
   const auto size = static_cast<std::uint64_t>(status.st_size);

@@ -101,14 +101,15 @@ Result<Format> find_format(std::span<const std::byte> bytes, std::string_view na
   const auto refuse = [&](std::string_view sentence) {
     return Error{ErrorCode::input, std::string(sentence), std::string(name)};
   };
-  if (bytes.empty()) return refuse("is empty");
+  if (bytes.empty()) return refuse("is empty; save or fetch it again");
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   for (const Foreign& foreign : kForeign) {
     if (text.starts_with(foreign.start)) return refuse(foreign.sentence);
   }
   if (const auto format = by_content(bytes)) return *format;
   if (const auto format = by_extension(name)) return *format;
-  return refuse("is not a model in any of the formats Blysk reads: " + std::string(kFormats));
+  return refuse("is not a model in any of the formats Blysk reads; convert it to one of " +
+                std::string(kFormats));
 }
 
 }  // namespace blysk::io

@@ -56,7 +56,7 @@ TEST(find_format, refusals_say_what_to_do) {
   EXPECT_NE(message("PK\3\4", "x.3mf").find("ZIP"), std::string::npos);
   EXPECT_NE(message("hello", "x.txt").find("OBJ, STL, PLY, OFF, glTF"), std::string::npos);
   EXPECT_NE(message("hello", "folder.obj/x").find("OBJ, STL, PLY, OFF, glTF"), std::string::npos);
-  EXPECT_EQ(message("", "x.obj"), "is empty");
+  EXPECT_EQ(message("", "x.obj"), "is empty; save or fetch it again");
 }
 
 }  // namespace

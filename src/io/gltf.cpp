@@ -57,7 +57,8 @@ Result<Container> split_glb(const Source& source) {
   }
   if (length > bytes.size()) return cut_short(length);
   if (length < kHeader + kChunkHeader)
-    return broken(source, "the GLB header gives a length of " + std::to_string(length));
+    return broken(source,
+                  "the GLB header gives a length of " + std::to_string(length) + "; export the model again");
   bytes = bytes.first(length);
 
   Container container;
@@ -66,10 +67,12 @@ Result<Container> split_glb(const Source& source) {
     const std::size_t data = at + kChunkHeader;
     if (size > length - data) {
       return broken(source, "the GLB chunk at byte " + std::to_string(at) + " has " + std::to_string(size) +
-                                " bytes, but only " + std::to_string(length - data) + " follow");
+                                " bytes, but only " + std::to_string(length - data) +
+                                " follow; fetch or export it again");
     }
     if (number == 0) {
-      if (type != kJson) return broken(source, "the first chunk of the GLB file is not JSON");
+      if (type != kJson)
+        return broken(source, "the first chunk of the GLB file is not JSON; export the model again");
       container.json = source.text().substr(data, size);
     } else if (type == kBin && container.bin.empty()) {
       container.bin = bytes.subspan(data, size);
@@ -123,6 +126,16 @@ void check_extensions(Context& context, Json root) {
     context.fail(root["extensionsRequired"], "the file cannot be read without " + missing +
                                                  "; export it without compression and required extensions");
   }
+}
+
+// What a file without meshes has: "nodes: 2, cameras: 1".
+std::string list_of_contents(Context& context, Json root) {
+  std::string text;
+  for (const char* what : {"nodes", "cameras", "skins", "animations", "materials", "images", "accessors"}) {
+    const std::size_t count = context.list(root, what).size();
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::string(what) + ": " + std::to_string(count);
+  }
+  return text.empty() ? "nothing else" : text;
 }
 
 std::string_view name_of(const gltf::Placement& placement, const gltf::Primitive& primitive) {
@@ -189,8 +202,10 @@ Result<Scene> read_document(const Source& source, Json root, std::span<const std
   if (context.failed()) return context.error();
   meshes.report();
   if (scene.instances.empty() && meshes.size() > 0) {
-    context.problem("no triangles are drawn: the scene's nodes show none of the file's " +
-                    std::to_string(meshes.size()) + " meshes");
+    context.problem("the scene's nodes show none of the file's " + std::to_string(meshes.size()) +
+                    (meshes.size() == 1 ? " mesh" : " meshes"));
+  } else if (scene.instances.empty()) {
+    context.problem("the file has no meshes; it lists " + list_of_contents(context, root));
   }
   scene.problems = context.take_problems();
   return scene;

@@ -65,7 +65,10 @@ std::string in_quotes(std::string_view text) { return '"' + one_line(text, kMaxQ
 
 void Context::fail(Json where, const std::string& what, ErrorCode code) {
   // The path costs time in the size of the document, so it is not made for what is not kept.
-  if (!failed()) error_ = Error{code, at_path(where, what), source_.name, 0};
+  if (failed()) return;
+  const bool has_remedy = what.find(';') != std::string::npos;
+  error_ =
+      Error{code, at_path(where, has_remedy ? what : what + "; export the model again"), source_.name, 0};
 }
 
 void Context::fail(Error error) {

@@ -137,8 +137,9 @@ TEST(gltf_meshes, index_beyond_the_vertices) {
   Document d = zigzag();
   d.array<std::uint16_t>("SCALAR", 1, {0, 1, 2, 2, 3, 6});
   d.primitive(R"("attributes":{"POSITION":0},"indices":1)");
-  EXPECT_EQ(error_of(d.gltf()),
-            "test.gltf: meshes[0].primitives[0].indices: index 6 is beyond the 6 vertices");
+  EXPECT_EQ(
+      error_of(d.gltf()),
+      "test.gltf: meshes[0].primitives[0].indices: index 6 is beyond the 6 vertices; export the model again");
 }
 
 TEST(gltf_meshes, primitives_take_their_part_of_shared_vertices) {

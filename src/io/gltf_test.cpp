@@ -154,7 +154,7 @@ TEST(gltf, a_model_of_nothing_says_why) {
   ASSERT_TRUE(scene);
   EXPECT_EQ(scene->triangles(), 0u);
   ASSERT_EQ(scene->problems.size(), 1u);
-  EXPECT_TRUE(contains(scene->problems[0], "show none of the file's 1 meshes"));
+  EXPECT_TRUE(contains(scene->problems[0], "show none of the file's 1 mesh"));
 }
 
 TEST(gltf, problems_are_kept_in_number) {

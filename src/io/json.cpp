@@ -94,7 +94,8 @@ class JsonBuilder : public nlohmann::json::json_sax_t {
 
   bool open(Json::Kind kind) {
     if (open_.size() == kMaxJsonDepth) {
-      message = "values are nested deeper than " + std::to_string(kMaxJsonDepth) + " levels";
+      message =
+          "values are nested deeper than " + std::to_string(kMaxJsonDepth) + " levels; flatten the file";
       return false;
     }
     add(kind, JsonDocument::Span{0, 0});

@@ -7,6 +7,7 @@
 #include "core/threads.h"
 #include "io/format.h"
 #include "io/reader.h"
+#include "io/stl_layout.h"
 #include "scene/normals.h"
 
 namespace blysk {
@@ -46,13 +47,22 @@ std::uint64_t bytes_of(const Scene& scene) {
   return bytes;
 }
 
-void add_normals(Scene& scene, const ModelOptions& options) {
+void add_normals(Scene& scene, double crease_deg, const ModelOptions& options) {
   std::size_t largest = 0;
   for (const Mesh& mesh : scene.meshes) largest = std::max(largest, mesh.triangles());
   ThreadPool pool(largest < kTrianglesWorthThreads ? 1 : options.threads);
   for (Mesh& mesh : scene.meshes) {
-    if (mesh.normals.empty()) make_normals(mesh, options.crease_deg, pool);
+    if (mesh.normals.empty()) make_normals(mesh, crease_deg, pool);
   }
+}
+
+// Programs of Windows put one in front of any text. A binary STL may begin with anything.
+Source without_byte_order_mark(const Source& source) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  Source bare = source;
+  if (source.text().starts_with(kMark) && !io::has_stl_size(source.bytes))
+    bare.bytes = bare.bytes.subspan(kMark.size());
+  return bare;
 }
 
 Result<Scene> load(const Source& source) {
@@ -61,14 +71,15 @@ Result<Scene> load(const Source& source) {
   Result<Scene> scene = read(*format, source);
   if (!scene) return scene;
 
+  const ModelOptions& options = source.options;
   const std::uint64_t triangles = scene->triangles();
-  if (triangles == 0) {
-    const std::string why = scene->problems.empty() ? "" : " (" + scene->problems.front() + ")";
-    return broken(source, "has no triangles, so there is nothing to draw" + why);
+  if (triangles == 0 && !options.may_be_empty) {
+    const std::string why = scene->problems.empty() ? "" : ": " + scene->problems.front();
+    return broken(source, "has no triangles to draw" + why + "; `blysk info` tells what is in it");
   }
   if (Status s = check_limits(source, triangles, bytes_of(*scene)); !s) return s.error();
-  // The faces of STL and glTF without normals are flat by definition.
-  if (*format != Format::stl && *format != Format::gltf) add_normals(*scene, source.options);
+  const bool flat = *format == Format::stl || *format == Format::gltf;
+  add_normals(*scene, options.crease_deg.value_or(flat ? 0 : ModelOptions::kCreaseDeg), options);
   return scene;
 }
 
@@ -78,7 +89,7 @@ Result<Scene> load_model(std::span<const std::byte> bytes, std::string_view name
                          const std::filesystem::path& folder, const ModelOptions& options) {
   const Source source{bytes, std::string(name), folder, options};
   try {
-    return load(source);
+    return load(without_byte_order_mark(source));
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::limit, "needs more memory than there is", source.name};
   } catch (const std::length_error&) {

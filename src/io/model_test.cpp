@@ -11,7 +11,49 @@ TEST(load_model, file_errors) {
   const Result<Scene> missing = load_model("/nowhere/x.ply");
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::input);
-  EXPECT_EQ(missing.error().text(), "/nowhere/x.ply: cannot be read: No such file or directory");
+  EXPECT_EQ(missing.error().text(),
+            "/nowhere/x.ply: cannot be read: there is no such file; check its name and folder");
+}
+
+TEST(load_model, a_byte_order_mark_says_nothing) {
+  const std::string mark = "\xef\xbb\xbf";
+  const std::string stl =
+      "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+      "0\nendloop\nendfacet\nendsolid\n";
+  const std::string texts[] = {
+      stl, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2\n",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1 0 0 0 1 0 3 0 1 2\n"};
+  for (const std::string& text : texts) {
+    const Result<Scene> scene = io::load_text(mark + text, "x");
+    ASSERT_TRUE(scene) << scene.error().text();
+    EXPECT_EQ(scene->triangles(), 1u);
+    EXPECT_TRUE(scene->problems.empty());
+  }
+  // Lines count as before.
+  EXPECT_EQ(io::less_remedy(io::load_text(mark + "v 1 2\n", "x.obj").error().text()),
+            "x.obj:1: a vertex needs three numbers, this one has 2");
+  // The header of a binary STL may be anything.
+  const std::string binary = mark + std::string(77, ' ') + io::packed(1u) + std::string(12, '\0') +
+                             io::packed(0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f) + "ab";
+  EXPECT_EQ(io::load_text(binary, "x")->triangles(), 1u);
+}
+
+TEST(load_model, files_without_triangles_may_be_wanted) {
+  const std::string texts[] = {"v 0 0 0\n", "OFF 1 0 0 0 0 0\n", "solid x\nendsolid x\n",
+                               R"({"asset":{"version":"2.0"}})", std::string(1000, '\0')};
+  for (const std::string& text : texts) {
+    const Result<Scene> refused = io::load_text(text, "x.stl");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::input);
+    ModelOptions options;
+    options.may_be_empty = true;
+    const Result<Scene> scene = io::load_text(text, "x.stl", options);
+    ASSERT_TRUE(scene) << scene.error().text();
+    EXPECT_EQ(scene->triangles(), 0u);
+    ASSERT_EQ(scene->problems.size(), 1u) << text;
+    EXPECT_NE(refused.error().message.find(scene->problems[0]), std::string::npos);
+  }
 }
 
 TEST(load_model, memory_limit_counts_the_file) {
@@ -65,6 +107,21 @@ TEST(load_model, every_file_loads_or_says_why) {
       for (const Mesh& mesh : scene->meshes) io::expect_sound(mesh);
     }
   }
+}
+
+// STL and glTF mean flat faces: theirs are smooth only for who asks.
+TEST(load_model, crease_of_flat_formats) {
+  const std::string roof =
+      "solid x\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+      "0.1\nendloop\nendfacet\n"
+      "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 1 0.1\nvertex -1 0 "
+      "0\nendloop\nendfacet\nendsolid\n";
+  ModelOptions options;
+  EXPECT_TRUE(io::load_text(roof, "x.stl", options)->meshes[0].normals.empty());
+  options.crease_deg = 0;
+  EXPECT_TRUE(io::load_text(roof, "x.stl", options)->meshes[0].normals.empty());
+  options.crease_deg = 60;
+  EXPECT_EQ(io::load_text(roof, "x.stl", options)->meshes[0].normals.size(), 4u);
 }
 
 TEST(load_model, crease_option) {

@@ -1,9 +1,9 @@
 // Wavefront OBJ: polygons with materials. Free-form curves and surfaces, points and lines are left out.
-//
-// Groups do not become meshes: a mesh is all that has one material, so that draws stay few.
+// A mesh is what one object or group has of one material.
 #include <algorithm>
 #include <map>
 
+#include "io/faces.h"
 #include "io/mtl.h"
 #include "io/obj_mesh.h"
 #include "io/obj_parse.h"
@@ -18,17 +18,6 @@ constexpr std::size_t kMostMaterialsNamed = 8;  // materials that one sentence l
 
 std::string count_of(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
-Error no_faces(const Source& source, const ObjFile& file) {
-  const ObjOmissions& o = file.omissions;
-  std::string text =
-      "has no faces to draw; there are " + count_of(file.positions.size(), "vertex", "vertices");
-  if (o.points + o.lines > 0) text += ", " + count_of(o.points + o.lines, "point or line", "points or lines");
-  if (o.short_faces > 0) {
-    text += ", " + count_of(o.short_faces, "face", "faces") + " of fewer than 3 corners";
-  }
-  return broken(source, text);
 }
 
 void report_omissions(const ObjText& text, const ObjOmissions& o, std::vector<std::string>& problems) {
@@ -49,12 +38,15 @@ void report_omissions(const ObjText& text, const ObjOmissions& o, std::vector<st
   if (o.normals) problems.push_back("faces refer to normals, but the file has none");
 }
 
-// Adds materials to the scene, and the textures they name once each.
+// Adds materials and the textures they name to the scene, once each.
 class MaterialList {
  public:
   MaterialList(const MtlLibrary& library, Scene& scene) : library_(library), scene_(scene) {}
 
-  void add(std::string_view name) {
+  // The index of the material.
+  std::uint32_t add(std::string_view name) {
+    const auto [at, is_new] = indices_.try_emplace(name, static_cast<std::uint32_t>(scene_.materials.size()));
+    if (!is_new) return at->second;
     const MtlMaterial* known = name.empty() ? nullptr : library_.find(name);
     Material material = known == nullptr ? Material{} : known->material;
     material.name = printable(name);
@@ -65,6 +57,7 @@ class MaterialList {
       missing_names_ += (missing_names_.empty() ? "" : ", ") + in_quotes(name);
     }
     scene_.materials.push_back(std::move(material));
+    return at->second;
   }
 
   void report() {
@@ -84,21 +77,11 @@ class MaterialList {
 
   const MtlLibrary& library_;
   Scene& scene_;
+  std::map<std::string_view, std::uint32_t> indices_;
   std::map<std::string, int> textures_;
   std::size_t missing_ = 0;
   std::string missing_names_;
 };
-
-// The object's name where the file has only one.
-std::string_view only_object(const ObjFile& file) {
-  std::string_view name;
-  for (const ObjEvent& event : file.events) {
-    if (event.kind != ObjEvent::Kind::object || event.text == name) continue;
-    if (!name.empty()) return {};
-    name = event.text;
-  }
-  return name;
-}
 
 Status check_size(const Source& source, const ObjFile& file) {
   const std::size_t corners = file.corner_positions.size();
@@ -117,20 +100,25 @@ Result<Scene> read_obj(const Source& source) {
   ObjText text(source.text());
   Result<ObjFile> file = parse_obj(source, text);
   if (!file) return file.error();
-  if (file->faces == 0) return no_faces(source, *file);
   if (Status s = check_size(source, *file); !s) return s.error();
 
   Scene scene;
+  if (file->faces == 0) scene.problems.push_back(no_faces(file->positions.size()));
   report_omissions(text, file->omissions, scene.problems);
   MtlLibrary library;
   for (const ObjEvent& event : file->events) {
     if (event.kind == ObjEvent::Kind::library) library.load(source, event.text, scene.problems);
   }
+  if (file->faces == 0) return scene;
   const std::vector<ObjPart> parts = find_parts(*file);
+  if (has_too_many_groups(*file)) {
+    scene.problems.push_back("has more than " + std::to_string(kMostGroups) +
+                             " groups, which are joined: there is a mesh for each material");
+  }
   smooth_groups(*file, parts);
-  const std::string_view object = only_object(*file);
   const ModelOptions& options = source.options;
-  const Array<std::uint32_t> normals = crease_normals(*file, parts, options.crease_deg, options.threads);
+  const Array<std::uint32_t> normals =
+      crease_normals(*file, parts, options.crease_deg.value_or(ModelOptions::kCreaseDeg), options.threads);
   std::vector<Mesh> meshes = make_meshes(std::move(*file), parts, normals);
 
   MaterialList materials(library, scene);
@@ -139,15 +127,14 @@ Result<Scene> read_obj(const Source& source) {
   ThreadPool pool(largest < kTrianglesWorthThreads ? 1 : options.threads);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     Mesh& mesh = meshes[i];
-    mesh.name = printable(parts[i].material.empty() ? object : parts[i].material);
+    mesh.name = printable(parts[i].group.empty() ? parts[i].material : parts[i].group);
     drop_bad_triangles(mesh, scene.problems, pool);
     if (mesh.indices.empty()) continue;
     mend_normals(mesh);
     Instance instance;
     instance.mesh = static_cast<std::uint32_t>(scene.meshes.size());
-    instance.material = static_cast<std::uint32_t>(scene.materials.size());
-    instance.name = object.empty() ? mesh.name : printable(object);
-    materials.add(parts[i].material);
+    instance.material = materials.add(parts[i].material);
+    instance.name = mesh.name;
     scene.meshes.push_back(std::move(mesh));
     scene.instances.push_back(std::move(instance));
   }

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "io/polygon.h"
 #include "scene/normals.h"
@@ -240,18 +242,30 @@ class GroupNormals {
 
 }  // namespace
 
+// Models of machines may have a group for every face: as a mesh each, they would be read and drawn many times
+// slower.
+bool has_too_many_groups(const ObjFile& file) {
+  std::set<std::string_view> names;
+  for (const ObjEvent& event : file.events) {
+    if (event.kind == ObjEvent::Kind::group) names.insert(event.text);
+    if (names.size() > kMostGroups) return true;
+  }
+  return false;
+}
+
 std::vector<ObjPart> find_parts(const ObjFile& file) {
+  const bool grouped = !has_too_many_groups(file);
   std::vector<ObjPart> parts;
-  std::map<std::string_view, std::size_t> known;
-  std::string_view material;
+  std::map<std::pair<std::string_view, std::string_view>, std::size_t> known;
+  std::string_view group, material;
   ObjRun run;
   const auto close = [&](std::size_t face) {
     if (face == run.first_face) return;
     run.end_face = face;
     run.end_corner = run.first_corner;
     for_each_face(file, run, [&](std::size_t, std::size_t corners) { run.end_corner += corners; });
-    const auto [at, is_new] = known.try_emplace(material, parts.size());
-    if (is_new) parts.push_back({material, {}});
+    const auto [at, is_new] = known.try_emplace({group, material}, parts.size());
+    if (is_new) parts.push_back({group, material, {}});
     parts[at->second].runs.push_back(run);
     run.first_face = run.end_face;
     run.first_corner = run.end_corner;
@@ -260,6 +274,9 @@ std::vector<ObjPart> find_parts(const ObjFile& file) {
     if (event.kind == ObjEvent::Kind::material && event.text != material) {
       close(event.face);
       material = event.text;
+    } else if (grouped && event.kind == ObjEvent::Kind::group && event.text != group) {
+      close(event.face);
+      group = event.text;
     } else if (event.kind == ObjEvent::Kind::smoothing && smoothing_group(event.text) != run.group) {
       close(event.face);
       run.group = smoothing_group(event.text);

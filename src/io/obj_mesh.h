@@ -1,4 +1,4 @@
-// io/obj_mesh.h - the lists of an OBJ file as meshes, one for each material.
+// io/obj_mesh.h - the lists of an OBJ file as meshes, one for each group and material.
 #pragma once
 
 #include <cstddef>
@@ -18,13 +18,18 @@ struct ObjRun {
   std::uint32_t group = 0;  ///< smoothing group; 0: none
 };
 
-/// The faces of one material.
+inline constexpr std::size_t kMostGroups = 1024;  ///< that are kept apart
+[[nodiscard]] bool has_too_many_groups(const ObjFile& file);
+
+/// The faces of one group that have one material.
 struct ObjPart {
+  std::string_view group;     ///< what the last `o` or `g` before them says; empty: nothing
   std::string_view material;  ///< its name; empty: none was named
   std::vector<ObjRun> runs;
 };
 
-/// In the order in which faces use the materials.
+/// In the order of their first faces. In a file of more than kMostGroups groups they all count as one without
+/// a name.
 [[nodiscard]] std::vector<ObjPart> find_parts(const ObjFile& file);
 
 /// Honours smoothing groups, in files that have any: corners without a normal get the mean of the faces of
@@ -32,9 +37,9 @@ struct ObjPart {
 /// `s`) get their own normal. Files that say `s off` only, or nothing, are left to make_normals().
 void smooth_groups(ObjFile& file, const std::vector<ObjPart>& parts);
 
-/// Normals as make_normals() gives them, but over all parts at once: a change of material is no edge. For
-/// files of several materials without any normal; for others, and crease_deg 0, there are none. The result
-/// has one index into file.normals for each corner of the parts' triangles.
+/// Normals as make_normals() gives them, but over all parts at once: a change of group or material is no
+/// edge. For files of several parts without any normal; for others, and crease_deg 0, there are none. The
+/// result has one index into file.normals for each corner of the parts' triangles.
 [[nodiscard]] Array<std::uint32_t> crease_normals(ObjFile& file, const std::vector<ObjPart>& parts,
                                                   double crease_deg, int threads);
 

@@ -315,15 +315,15 @@ class PieceParser {
       event(ObjEvent::Kind::material);
     } else if (keyword == "s") {
       event(ObjEvent::Kind::smoothing);
-    } else if (keyword == "o") {
-      event(ObjEvent::Kind::object);
+    } else if (keyword == "o" || keyword == "g") {
+      event(ObjEvent::Kind::group);
     } else if (keyword == "mtllib") {
       event(ObjEvent::Kind::library);
     } else if (keyword == "p") {
       ++result_.omissions.points;
     } else if (keyword == "l") {
       ++result_.omissions.lines;
-    } else if (keyword != "g") {
+    } else {
       if (result_.omissions.unknown++ > 0) return;
       result_.omissions.first_unknown = offset();
       result_.omissions.first_keyword = keyword;
@@ -459,7 +459,10 @@ Result<ObjFile> parse_obj(const Source& source, ObjText& text) {
   });
   for (const PieceResult& p : parts) {
     if (p.out_of_memory) std::rethrow_exception(p.out_of_memory);
-    if (p.error) return Error{ErrorCode::input, p.error->message, source.name, text.line_of(p.error->offset)};
+    if (p.error) {
+      return Error{ErrorCode::input, p.error->message + "; mend the line or export the model again",
+                   source.name, text.line_of(p.error->offset)};
+    }
   }
   join(file, parts, own, pool);
   return file;

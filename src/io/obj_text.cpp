@@ -7,16 +7,8 @@
 #include "io/decimal.h"
 
 namespace blysk::io {
-namespace {
-
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-
-}  // namespace
-
 ObjText::ObjText(std::string_view text, std::size_t piece_bytes)
     : piece_bytes_(piece_bytes), file_(text), text_(text) {
-  if (text_.starts_with(kByteOrderMark)) skipped_ = kByteOrderMark.size();
-  text_.remove_prefix(skipped_);
   // Lines of the old Mac end in a carriage return alone.
   if (text_.find('\n') == std::string_view::npos && text_.find('\r') != std::string_view::npos) {
     mended_.assign(text_.begin(), text_.end());
@@ -29,7 +21,7 @@ ObjText::ObjText(std::string_view text, std::size_t piece_bytes)
 void ObjText::split() {
   pieces_.clear();
   const char* const begin = text_.data();
-  const auto offset = [&](const char* at) { return skipped_ + static_cast<std::size_t>(at - begin); };
+  const auto offset = [&](const char* at) { return static_cast<std::size_t>(at - begin); };
   // Pieces of the text itself end where padding is left behind them.
   std::size_t tail = 0;
   if (text_.size() > piece_bytes_ + kTextPadding) {

@@ -39,8 +39,7 @@ class ObjText {
 
   std::size_t piece_bytes_;
   std::string_view file_;
-  std::string_view text_;    // from the byte order mark on, perhaps in mended_
-  std::size_t skipped_ = 0;  // bytes of that mark
+  std::string_view text_;  // perhaps in mended_
   Array<char> mended_;
   Array<char> tail_;  // the last lines, which the file gives neither a line feed nor padding
   std::vector<ObjPiece> pieces_;

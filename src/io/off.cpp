@@ -50,9 +50,11 @@ class OffReader {
     return parse_number(next(), value);
   }
 
-  Error fail(const std::string& message) {
+  Error refuse(const std::string& message) const { return broken_at(source_, word_start_, message); }
+  Error fail(const std::string& message) const {
     const bool at_end = word_start_ == source_.bytes.size();
-    return broken_at(source_, word_start_, at_end ? "is cut short: " + message : message);
+    return refuse(at_end ? "is cut short: " + message + "; fetch or export it again"
+                         : message + "; mend the line or export the model again");
   }
 
   // The keyword is optional: a file may begin with its counts.
@@ -71,10 +73,11 @@ class OffReader {
     layout_.texcoords = take("ST");
     layout_.colors = take("C");
     layout_.normals = take("N");
-    if (take("4") || take("n")) return fail("OFF in other than three dimensions (4OFF, nOFF) is not read");
+    if (take("4") || take("n"))
+      return refuse("OFF in other than three dimensions (4OFF, nOFF) is not read; project it first");
     if (word != "OFF") return fail("does not begin with OFF");
     before = text_;
-    if (next() == "BINARY") return fail("binary OFF is not read; save the model as text");
+    if (next() == "BINARY") return refuse("binary OFF is not read; save the model as text");
     text_ = before;
     return Done{};
   }
@@ -153,7 +156,7 @@ class OffReader {
   }
 
   Status read_faces() {
-    if (face_count_ == 0) scene_.problems.push_back(std::to_string(vertex_count_) + " points without faces");
+    if (face_count_ == 0) scene_.problems.push_back(no_faces(vertex_count_));
     Faces faces;
     faces.sizes.reserve(face_count_);
     float largest = 0;
@@ -167,7 +170,7 @@ class OffReader {
         const std::string_view word = next();
         if (!parse_number(word, index)) return fail("face " + std::to_string(i) + " needs more corners");
         if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count_) {
-          return fail(no_such_vertex("face " + std::to_string(i), std::string(word), vertex_count_));
+          return refuse(no_such_vertex("face " + std::to_string(i), std::string(word), vertex_count_));
         }
         faces.corners.push_back(static_cast<std::uint32_t>(index));
       }

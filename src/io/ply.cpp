@@ -72,12 +72,12 @@ class PlyReader {
     const bool has_vertices =
         std::any_of(header_.elements.begin(), header_.elements.end(),
                     [](const PlyElement& e) { return e.name == "vertex" && PlyVertices(e).has_positions(); });
-    if (!has_vertices) return broken(source_, "has no vertices with x, y and z");
+    if (!has_vertices) return broken(source_, "has no vertices with x, y and z; export the model again");
     for (const PlyElement& e : header_.elements) {
       for (const PlyProperty& p : e.properties) {
         if (is_index_list(p) && !is_integer(p.type)) {
-          return broken(source_,
-                        "gives the vertices of its faces as fractions: " + p.name + " must be integers");
+          return broken(source_, "gives the vertices of its faces as fractions: " + p.name +
+                                     " must be integers; export the model again");
         }
       }
     }
@@ -95,7 +95,7 @@ class PlyReader {
       if (e.count > (values.left() + 1) / least) {
         return broken(source_, "is cut short: it announces " + std::to_string(e.count) + " of '" + e.name +
                                    "', more than its " + std::to_string(values.left()) +
-                                   " bytes of data can hold");
+                                   " bytes of data can hold; fetch or export it again");
       }
       Status status = Done{};
       if (e.name == "vertex" && !vertices_read) {
@@ -248,9 +248,7 @@ class PlyReader {
   }
 
   Result<Scene> finish() {
-    if (faces_.count() == 0) {
-      scene_.problems.push_back(std::to_string(mesh_.positions.size()) + " points without faces");
-    }
+    if (faces_.count() == 0) scene_.problems.push_back(no_faces(mesh_.positions.size()));
     if (!faces_.colors.empty()) faces_.colors.resize(faces_.count(), kWhite);  // strips have none
     if (Status s = add_faces(source_, std::move(faces_), mesh_, scene_.problems, pool_); !s) return s.error();
     mend_normals(mesh_);

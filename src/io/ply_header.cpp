@@ -73,7 +73,9 @@ class HeaderParser {
     return line;
   }
 
-  Error fail(std::string message) const { return broken_at(source_, line_start_, std::move(message)); }
+  Error fail(const std::string& message) const {
+    return broken_at(source_, line_start_, message + "; mend the header or export the model again");
+  }
 
   Status parse_line(std::string_view word, TextCursor& line) {
     if (word.empty() || word == "obj_info") return Done{};

@@ -80,7 +80,7 @@ class BinaryPlyValues {
     return true;
   }
   [[nodiscard]] Error failure(const Source& source, const std::string& where) const {
-    return complaint(source, "is cut short: it ends in " + where);
+    return complaint(source, "is cut short: it ends in " + where + "; fetch or export it again");
   }
   [[nodiscard]] Error complaint(const Source& source, std::string what) const {
     return broken(source, std::move(what));
@@ -118,7 +118,7 @@ class AsciiPlyValues {
     text_.skip_space();
     const std::string what =
         text_.at_end() ? "is cut short: it ends in " : "has something other than a number in ";
-    return complaint(source, what + where);
+    return complaint(source, what + where + "; fetch or export it again");
   }
   /// About what was read last.
   [[nodiscard]] Error complaint(const Source& source, std::string what) const {

@@ -28,8 +28,8 @@ struct Source {
   }
 };
 
-// Readers leave normals empty where the file has none; load_model() makes them afterwards with
-// make_normals(mesh, crease_deg), except for STL and glTF, whose faces are flat by definition.
+// Readers leave normals empty where the file has none; load_model() makes them afterwards. A file without
+// faces is no error to them: the first of Scene::problems says what it has instead.
 [[nodiscard]] Result<Scene> read_obj(const Source& source);
 [[nodiscard]] Result<Scene> read_stl(const Source& source);
 [[nodiscard]] Result<Scene> read_ply(const Source& source);

@@ -63,16 +63,20 @@ void add_triangles(const std::byte* first, std::size_t count, std::size_t stride
 Result<Scene> read_binary(const Source& source) {
   const std::span<const std::byte> bytes = source.bytes;
   if (bytes.size() < kStlHeader)
-    return broken(source, "is cut short: a binary STL has 84 bytes before its triangles");
+    return broken(source,
+                  "is cut short: a binary STL has 84 bytes before its triangles; fetch or export it again");
   const std::uint64_t count = stl_count(bytes), held = (bytes.size() - kStlHeader) / kStlTriangle;
   if (count > held) {
     return broken(source, "is cut short: it announces " + std::to_string(count) + " triangles and holds " +
-                              std::to_string(held));
+                              std::to_string(held) + "; fetch or export it again");
   }
   if (Status s = check_limits(source, count, memory_for(count)); !s) return s.error();
 
   Scene scene;
-  if (bytes.size() != kStlHeader + kStlTriangle * count) {
+  if (count == 0) {
+    scene.problems.push_back("a binary STL of 0 triangles, followed by " +
+                             std::to_string(bytes.size() - kStlHeader) + " bytes");
+  } else if (bytes.size() != kStlHeader + kStlTriangle * count) {
     scene.problems.push_back("ignored " + std::to_string(bytes.size() - kStlHeader - kStlTriangle * count) +
                              " bytes after the last of " + std::to_string(count) + " triangles");
   }
@@ -94,9 +98,10 @@ class AsciiStl {
       if (word.empty()) break;
       if (Status s = read_word(word); !s) return s.error();
     }
-    if (in_facet_) return fail("is cut short: it ends in a facet");
+    if (in_facet_) return fail("is cut short: it ends in a facet; fetch or export it again");
     if (in_solid_) scene_.problems.push_back("no endsolid at the end: the file may be cut short");
     if (Status s = end_solid(); !s) return s.error();
+    if (triangles_ == 0) scene_.problems.push_back("an ASCII STL without a facet");
     return std::move(scene_);
   }
 
@@ -127,7 +132,9 @@ class AsciiStl {
       in_solid_ = false;
       return end_solid();
     } else {
-      return fail("has a word that is not of STL where a facet or a vertex should stand");
+      return fail(
+          "has a word that is not of STL where a facet or a vertex should stand; mend it or export the model "
+          "again");
     }
     return Done{};
   }
@@ -135,14 +142,14 @@ class AsciiStl {
   Status read_vertex() {
     Vec3f p;
     if (!text_.number(p.x) || !text_.number(p.y) || !text_.number(p.z)) {
-      return fail("a vertex needs three numbers");
+      return fail("a vertex needs three numbers; mend it or export the model again");
     }
     polygon_.push_back(p);
     return Done{};
   }
 
   Status end_loop() {
-    if (polygon_.size() < 3) return fail("a facet needs three vertices");
+    if (polygon_.size() < 3) return fail("a facet needs three vertices; mend it or export the model again");
     local_.clear();
     triangulate({polygon_.data(), polygon_.size()}, local_);
     for (const std::uint32_t corner : local_) corners_.push_back(polygon_[corner]);

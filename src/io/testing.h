@@ -22,6 +22,19 @@ inline Result<Scene> load_text(std::string_view text, std::string_view name,
   return load_model(as_bytes(text), name, {}, options);
 }
 
+/// A message without what every reader says to do about a broken file, which must be there.
+inline std::string less_remedy(const std::string& text) {
+  const std::size_t end = text.rfind("; ");
+  EXPECT_NE(end, std::string::npos) << text << " does not say what to do";
+  const std::string remedy = text.substr(std::min(end, text.size()));
+  for (const char* usual :
+       {"; mend the line or export the model again", "; mend the header or export the model again",
+        "; mend it or export the model again", "; export the model again", "; fetch or export it again"}) {
+    if (remedy == usual) return text.substr(0, end);
+  }
+  return text;
+}
+
 /// The bytes of numbers one after the other, low byte first, or high byte first.
 template <class... T>
 std::string packed(T... values) {

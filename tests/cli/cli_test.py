@@ -153,6 +153,8 @@ class Usage(CommandTest):
         self.refuses("blysk verify", "render", "square.obj", "-o", "a.png", "--print")
         self.refuses("teapot", "render", "shape:teapto", "-o", "a.png")
         self.refuses("bash", "completion", "bsah")
+        self.refuses("'--help'", "help")
+        self.refuses("'--version'", "version")
 
     def test_domains(self):
         for bad in ("--size=0x0", "--size=99999x1", "--size=10", "--size=10x10x10", "--size=1.5x2", "--size=axb",
@@ -395,7 +397,21 @@ class Failures(CommandTest):
         self.fails(3, "render", "noise.bin", "-o", "a.png")
         self.fails(3, "render", ".", "-o", "a.png")
         self.fails(3, "render", "-", "-o", "a.png", input=b"")
+        self.assertIn("name is empty", self.fails(3, "render", "", "-o", "a.png"))
         self.assertFalse(os.path.exists(self.path("a.png")))
+
+    def test_a_shape_that_was_meant(self):
+        for word in ("teapot?detail=3", "shpe:teapot?detail=3"):
+            self.assertIn("did you mean shape:teapot?detail=3?", self.fails(3, "render", word, "-o", "a.png"))
+        self.write("cube", "v 0 0\n")
+        self.assertNotIn("did you mean", self.fails(3, "render", "cube", "-o", "a.png"))
+
+    def test_no_triangles(self):
+        self.write("points.obj", "v 1 2 3\n")
+        self.assertIn("there is 1 vertex, but no faces; `blysk info`", self.fails(3, "render", "points.obj", "-o", "a.png"))
+        self.assertIn("no faces", self.run_command("info", "points.obj")[0].decode())
+        self.run_command("render", "points.obj", "square.obj", "-q", "-o", "a.png")
+        self.assertIn("points.obj", self.fails(3, "render", "points.obj", "points.obj", "-o", "a.png"))
 
     def test_a_name_cannot_break_the_line(self):
         self.assertIn("mis?sing?[31m.obj", self.fails(3, "render", "mis\nsing\033[31m.obj", "-o", "a.png"))
