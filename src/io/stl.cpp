@@ -11,6 +11,7 @@
 #include "io/share_equal.h"
 #include "io/stl_layout.h"
 #include "io/text.h"
+#include "scene/normals.h"
 
 namespace blysk::io {
 namespace {
