@@ -1,8 +1,8 @@
 #include "io/format.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
+#include <utility>
 
 #include "io/stl_layout.h"
 #include "io/text.h"
@@ -28,18 +28,15 @@ constexpr Foreign kForeign[] = {
     {"BLENDER", "is a Blender file, which Blysk does not read; export it as glTF"},
 };
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 std::optional<Format> by_extension(std::string_view name) {
+  constexpr std::pair<std::string_view, Format> kExtensions[] = {
+      {"obj", Format::obj}, {"stl", Format::stl},   {"ply", Format::ply},
+      {"off", Format::off}, {"gltf", Format::gltf}, {"glb", Format::gltf}};
   const std::size_t dot = name.rfind('.');
   if (dot == std::string_view::npos) return std::nullopt;
-  std::string extension(name.substr(dot + 1));
-  std::transform(extension.begin(), extension.end(), extension.begin(), lower);
-  if (extension == "obj") return Format::obj;
-  if (extension == "stl") return Format::stl;
-  if (extension == "ply") return Format::ply;
-  if (extension == "off") return Format::off;
-  if (extension == "gltf" || extension == "glb") return Format::gltf;
+  for (const auto& [extension, format] : kExtensions) {
+    if (same_word(name.substr(dot + 1), extension)) return format;
+  }
   return std::nullopt;
 }
 

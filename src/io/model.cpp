@@ -7,7 +7,6 @@
 #include "core/threads.h"
 #include "io/format.h"
 #include "io/reader.h"
-#include "io/stl_layout.h"
 #include "scene/normals.h"
 
 namespace blysk {
@@ -56,11 +55,13 @@ void add_normals(Scene& scene, double crease_deg, const ModelOptions& options) {
   }
 }
 
-// Programs of Windows put one in front of any text. A binary STL may begin with anything.
+// Programs of Windows put one in front of any text. The header of a binary STL may begin with anything.
 Source without_byte_order_mark(const Source& source) {
   constexpr std::string_view kMark = "\xef\xbb\xbf";
+  constexpr std::size_t kBytesLooked = 512;
+  const std::string_view start = source.text().substr(0, kBytesLooked);
   Source bare = source;
-  if (source.text().starts_with(kMark) && !io::has_stl_size(source.bytes))
+  if (start.starts_with(kMark) && start.find('\0') == std::string_view::npos)
     bare.bytes = bare.bytes.subspan(kMark.size());
   return bare;
 }

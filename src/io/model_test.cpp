@@ -36,7 +36,8 @@ TEST(load_model, a_byte_order_mark_says_nothing) {
   // The header of a binary STL may be anything.
   const std::string binary = mark + std::string(77, ' ') + io::packed(1u) + std::string(12, '\0') +
                              io::packed(0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f) + "ab";
-  EXPECT_EQ(io::load_text(binary, "x")->triangles(), 1u);
+  EXPECT_EQ(io::load_text(binary, "x.stl")->triangles(), 1u);
+  EXPECT_EQ(io::load_text(binary + "trailing", "x.stl")->triangles(), 1u);
 }
 
 TEST(load_model, files_without_triangles_may_be_wanted) {

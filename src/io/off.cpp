@@ -2,6 +2,7 @@
 //
 // Colours are sRGB values: 0..255 where a file has any above one, else 0..1.
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -166,10 +167,10 @@ class OffReader {
         return fail("face " + std::to_string(i) + " needs the number of its corners");
       }
       for (long long k = 0; k < size; ++k) {
-        long long index = 0;
+        double index = 0;
         const std::string_view word = next();
         if (!parse_number(word, index)) return fail("face " + std::to_string(i) + " needs more corners");
-        if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count_) {
+        if (!(index >= 0 && index < static_cast<double>(vertex_count_)) || index != std::floor(index)) {
           return refuse(no_such_vertex("face " + std::to_string(i), std::string(word), vertex_count_));
         }
         faces.corners.push_back(static_cast<std::uint32_t>(index));

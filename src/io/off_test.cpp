@@ -33,6 +33,10 @@ TEST(off, what_is_refused) {
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 x 0\n3 0 1 2\n"), "x.off:5: vertex 2 needs more numbers");
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"),
             "x.off:7: is cut short: face 0 needs more corners");
+  for (const std::string index : {"3", "-1", "1.5", "99999999999999999999"}) {
+    EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 " + index + "\n"),
+              "x.off:6: face 0 uses vertex " + index + ", but they count from 0 to 2; save the model again");
+  }
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n"),
             "x.off:6: face 0 needs the number of its corners");
 }
