@@ -31,4 +31,13 @@ Status check_limits(const Source& source, std::uint64_t triangles, std::uint64_t
   return Done{};
 }
 
+Status check_index_width(const Source& source, std::uint64_t triangles) {
+  constexpr std::uint64_t kMost = 0xfffffffe / 3;
+  if (triangles <= kMost) return Done{};
+  return Error{ErrorCode::limit,
+               "has " + std::to_string(triangles) + " triangles, more than the " + std::to_string(kMost) +
+                   " that one mesh can have; cut the model up",
+               source.name};
+}
+
 }  // namespace blysk::io

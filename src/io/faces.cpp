@@ -167,6 +167,7 @@ Status add_faces(const Source& source, Faces faces, Mesh& mesh, std::vector<std:
   const std::uint64_t triangles = faces.sizes.empty() ? faces.corners.size() / 3 : all.triangles;
   const std::uint64_t per_corner = 4 + (faces.colors.empty() ? 0 : 72);
   if (Status s = check_limits(source, triangles, triangles * 3 * per_corner); !s) return s;
+  if (Status s = check_index_width(source, triangles); !s) return s;
   if (all.too_small > 0) {
     problems.push_back("left out " + std::to_string(all.too_small) +
                        (all.too_small == 1 ? " face" : " faces") + " of fewer than three corners");

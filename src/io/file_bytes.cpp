@@ -32,10 +32,12 @@ std::string what_to_do(int error) {
       return "there is no such file; check its name and folder";
     case EACCES:
       return "no permission; change the permissions of the file or its folder";
+    case ENAMETOOLONG:
+      return "the name is too long; shorten it";
     case ENOMEM:
-      return "there is not enough memory for it";
+      return "there is not enough memory for it; free some, or take a smaller model";
     default:
-      return std::generic_category().message(error);
+      return std::generic_category().message(error) + "; check the file and its disk";
   }
 }
 

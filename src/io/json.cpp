@@ -94,8 +94,7 @@ class JsonBuilder : public nlohmann::json::json_sax_t {
 
   bool open(Json::Kind kind) {
     if (open_.size() == kMaxJsonDepth) {
-      message =
-          "values are nested deeper than " + std::to_string(kMaxJsonDepth) + " levels; flatten the file";
+      message = "values are nested deeper than " + std::to_string(kMaxJsonDepth) + " levels";
       return false;
     }
     add(kind, JsonDocument::Span{0, 0});
@@ -127,6 +126,7 @@ Result<JsonDocument> JsonDocument::parse(std::string_view text) {
     error.message += " (at byte " + std::to_string(read) + ")";
     error.line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(read), '\n');
   }
+  error.message += "; fetch or export the file again";
   return error;
 }
 

@@ -75,7 +75,11 @@ Result<Scene> load(const Source& source) {
   const ModelOptions& options = source.options;
   const std::uint64_t triangles = scene->triangles();
   if (triangles == 0 && !options.may_be_empty) {
-    const std::string why = scene->problems.empty() ? "" : ": " + scene->problems.front();
+    constexpr std::size_t kMostReasons = 3;
+    std::string why;
+    for (std::size_t i = 0; i < std::min(kMostReasons, scene->problems.size()); ++i) {
+      why += (i == 0 ? ": " : "; ") + scene->problems[i];
+    }
     return broken(source, "has no triangles to draw" + why + "; `blysk info` tells what is in it");
   }
   if (Status s = check_limits(source, triangles, bytes_of(*scene)); !s) return s.error();
@@ -92,9 +96,10 @@ Result<Scene> load_model(std::span<const std::byte> bytes, std::string_view name
   try {
     return load(without_byte_order_mark(source));
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::limit, "needs more memory than there is", source.name};
+    return Error{ErrorCode::limit, "needs more memory than there is; free some, or take a smaller model",
+                 source.name};
   } catch (const std::length_error&) {
-    return Error{ErrorCode::limit, "needs more memory than there can be", source.name};
+    return Error{ErrorCode::limit, "needs more memory than there can be; take a smaller model", source.name};
   }
 }
 

@@ -83,6 +83,14 @@ class MaterialList {
   std::string missing_names_;
 };
 
+// "object", "group", "object/group"; the material's where the file names neither.
+std::string name_of(const ObjPart& part) {
+  const auto& [object, group] = part.name;
+  if (object.empty() && group.empty()) return printable(part.material);
+  if (object.empty() || group.empty() || object == group) return printable(group.empty() ? object : group);
+  return printable(object) + "/" + printable(group);
+}
+
 Status check_size(const Source& source, const ObjFile& file) {
   const std::size_t corners = file.corner_positions.size();
   if (corners >= ObjFile::kNone) {
@@ -103,15 +111,16 @@ Result<Scene> read_obj(const Source& source) {
   if (Status s = check_size(source, *file); !s) return s.error();
 
   Scene scene;
-  if (file->faces == 0) scene.problems.push_back(no_faces(file->positions.size()));
+  if (file->faces == 0 && file->omissions.short_faces == 0)
+    scene.problems.push_back(no_faces(file->positions.size()));
   report_omissions(text, file->omissions, scene.problems);
   MtlLibrary library;
   for (const ObjEvent& event : file->events) {
     if (event.kind == ObjEvent::Kind::library) library.load(source, event.text, scene.problems);
   }
   if (file->faces == 0) return scene;
-  const std::vector<ObjPart> parts = find_parts(*file);
-  if (has_too_many_groups(*file)) {
+  const auto [parts, joined] = find_parts(*file);
+  if (joined) {
     scene.problems.push_back("has more than " + std::to_string(kMostGroups) +
                              " groups, which are joined: there is a mesh for each material");
   }
@@ -127,7 +136,7 @@ Result<Scene> read_obj(const Source& source) {
   ThreadPool pool(largest < kTrianglesWorthThreads ? 1 : options.threads);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     Mesh& mesh = meshes[i];
-    mesh.name = printable(parts[i].group.empty() ? parts[i].material : parts[i].group);
+    mesh.name = name_of(parts[i]);
     drop_bad_triangles(mesh, scene.problems, pool);
     if (mesh.indices.empty()) continue;
     mend_normals(mesh);

@@ -240,43 +240,36 @@ class GroupNormals {
   Array<Vec3d> sums_;
 };
 
-}  // namespace
-
-// Models of machines may have a group for every face: as a mesh each, they would be read and drawn many times
-// slower.
-bool has_too_many_groups(const ObjFile& file) {
-  std::set<std::string_view> names;
-  for (const ObjEvent& event : file.events) {
-    if (event.kind == ObjEvent::Kind::group) names.insert(event.text);
-    if (names.size() > kMostGroups) return true;
-  }
-  return false;
-}
-
-std::vector<ObjPart> find_parts(const ObjFile& file) {
-  const bool grouped = !has_too_many_groups(file);
+// `names` becomes the objects and groups that have faces; unless `apart`, all faces count as those of none.
+std::vector<ObjPart> collect_parts(const ObjFile& file, bool apart, std::set<ObjName>& names) {
   std::vector<ObjPart> parts;
-  std::map<std::pair<std::string_view, std::string_view>, std::size_t> known;
-  std::string_view group, material;
+  std::map<std::pair<ObjName, std::string_view>, std::size_t> known;
+  ObjName name;
+  std::string_view material;
   ObjRun run;
   const auto close = [&](std::size_t face) {
     if (face == run.first_face) return;
     run.end_face = face;
     run.end_corner = run.first_corner;
     for_each_face(file, run, [&](std::size_t, std::size_t corners) { run.end_corner += corners; });
-    const auto [at, is_new] = known.try_emplace({group, material}, parts.size());
-    if (is_new) parts.push_back({group, material, {}});
+    const auto [at, is_new] = known.try_emplace({name, material}, parts.size());
+    if (is_new) {
+      parts.push_back({name, material, {}});
+      names.insert(name);
+    }
     parts[at->second].runs.push_back(run);
     run.first_face = run.end_face;
     run.first_corner = run.end_corner;
   };
   for (const ObjEvent& event : file.events) {
+    const bool names_faces = event.kind == ObjEvent::Kind::object || event.kind == ObjEvent::Kind::group;
     if (event.kind == ObjEvent::Kind::material && event.text != material) {
       close(event.face);
       material = event.text;
-    } else if (grouped && event.kind == ObjEvent::Kind::group && event.text != group) {
+    } else if (apart && names_faces) {
       close(event.face);
-      group = event.text;
+      name =
+          event.kind == ObjEvent::Kind::object ? ObjName{event.text, {}} : ObjName{name.object, event.text};
     } else if (event.kind == ObjEvent::Kind::smoothing && smoothing_group(event.text) != run.group) {
       close(event.face);
       run.group = smoothing_group(event.text);
@@ -284,6 +277,18 @@ std::vector<ObjPart> find_parts(const ObjFile& file) {
   }
   close(file.faces);
   return parts;
+}
+
+}  // namespace
+
+ObjParts find_parts(const ObjFile& file) {
+  // Models of machines may have a group for every face: as a mesh each, they would be read and drawn many
+  // times slower.
+  std::set<ObjName> names;
+  std::vector<ObjPart> parts = collect_parts(file, true, names);
+  const bool joined = names.size() > kMostGroups;
+  if (joined) parts = collect_parts(file, false, names);
+  return {std::move(parts), joined};
 }
 
 void smooth_groups(ObjFile& file, const std::vector<ObjPart>& parts) {

@@ -19,18 +19,26 @@ struct ObjRun {
 };
 
 inline constexpr std::size_t kMostGroups = 1024;  ///< that are kept apart
-[[nodiscard]] bool has_too_many_groups(const ObjFile& file);
 
-/// The faces of one group that have one material.
+/// What the last `o` before a face and the last `g` behind that say; empty: nothing.
+struct ObjName {
+  std::string_view object, group;
+  friend auto operator<=>(const ObjName&, const ObjName&) = default;
+};
+
+/// The faces of one object's group that have one material.
 struct ObjPart {
-  std::string_view group;     ///< what the last `o` or `g` before them says; empty: nothing
+  ObjName name;
   std::string_view material;  ///< its name; empty: none was named
   std::vector<ObjRun> runs;
 };
 
-/// In the order of their first faces. In a file of more than kMostGroups groups they all count as one without
-/// a name.
-[[nodiscard]] std::vector<ObjPart> find_parts(const ObjFile& file);
+/// In the order of their first faces.
+struct ObjParts {
+  std::vector<ObjPart> parts;
+  bool joined = false;  ///< there were more than kMostGroups groups: their names are forgotten
+};
+[[nodiscard]] ObjParts find_parts(const ObjFile& file);
 
 /// Honours smoothing groups, in files that have any: corners without a normal get the mean of the faces of
 /// their group around the vertex, weighted by area; faces outside all groups (`s off`, or before the first

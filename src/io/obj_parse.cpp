@@ -315,7 +315,9 @@ class PieceParser {
       event(ObjEvent::Kind::material);
     } else if (keyword == "s") {
       event(ObjEvent::Kind::smoothing);
-    } else if (keyword == "o" || keyword == "g") {
+    } else if (keyword == "o") {
+      event(ObjEvent::Kind::object);
+    } else if (keyword == "g") {
       event(ObjEvent::Kind::group);
     } else if (keyword == "mtllib") {
       event(ObjEvent::Kind::library);

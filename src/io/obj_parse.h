@@ -17,7 +17,7 @@ namespace blysk::io {
 
 /// A statement that says something about the faces that follow it.
 struct ObjEvent {
-  enum class Kind { material, smoothing, group, library };  // group: of an object, too
+  enum class Kind { material, smoothing, object, group, library };
   Kind kind = Kind::material;
   std::size_t face = 0;   ///< the first face it is said of
   std::string_view text;  ///< what follows the keyword, in the text of the file

@@ -207,17 +207,18 @@ TEST(obj, one_mesh_for_each_material) {
   EXPECT_EQ(problems_of(scene), "no material file defines 'red', 'blue paint', so the default stands in\n");
 }
 
-// A group may come again, and two may share a material.
+// A group may come again, two may share a material, and two objects may have a group of the same name.
 TEST(obj, one_mesh_for_each_object_and_group) {
   const Scene scene = scene_of(kSquareText +
                                "usemtl red\no body\nf 1 2 3\ng left  wing\nf 2 3 4\ng empty\no body\n"
-                               "f 1 3 4\nusemtl blue\nf 1 2 4\n");
-  ASSERT_EQ(scene.meshes.size(), 3u);
+                               "f 1 3 4\nusemtl blue\nf 1 2 4\no tail\ng left  wing\nf 1 2 3\n");
+  ASSERT_EQ(scene.meshes.size(), 4u);
   EXPECT_EQ(scene.meshes[0].name, "body");
   EXPECT_EQ(scene.meshes[0].triangles(), 2u);
-  EXPECT_EQ(scene.meshes[1].name, "left  wing");
+  EXPECT_EQ(scene.meshes[1].name, "body/left  wing");
   EXPECT_EQ(scene.meshes[1].positions.size(), 3u);
   EXPECT_EQ(scene.meshes[2].name, "body");
+  EXPECT_EQ(scene.meshes[3].name, "tail/left  wing");
   ASSERT_EQ(scene.materials.size(), 2u);
   EXPECT_EQ(scene.instances[1].material, 0u);
   EXPECT_EQ(scene.instances[2].material, 1u);
@@ -226,7 +227,7 @@ TEST(obj, one_mesh_for_each_object_and_group) {
 TEST(obj, many_groups_are_not_kept_apart) {
   for (const std::size_t groups : {kMostGroups, kMostGroups + 1}) {
     std::string text = kTriangleText;
-    for (std::size_t i = 0; i < groups; ++i) text += "g " + std::to_string(i) + "\nf 1 2 3\n";
+    for (std::size_t i = 0; i < groups; ++i) text += "g " + std::to_string(i) + "\nf 1 2 3\ng none\n";
     const Scene scene = scene_of(text);
     EXPECT_EQ(scene.meshes.size(), groups == kMostGroups ? groups : 1);
     EXPECT_EQ(scene.triangles(), groups);
@@ -366,7 +367,6 @@ TEST(obj, no_faces) {
   EXPECT_EQ(problems(kTriangleText + "l 1 2\np 1\n"),
             "there are 3 vertices, but no faces\nleft out 1 point statement\nleft out 1 line statement\n");
   EXPECT_EQ(problems(kTriangleText + "f 1\nf 1 2\n"),
-            "there are 3 vertices, but no faces\n"
             "left out 2 faces of fewer than 3 corners, the first in line 4\n");
 }
 

@@ -163,8 +163,11 @@ class OffReader {
     float largest = 0;
     for (std::uint64_t i = 0; i < face_count_; ++i) {
       long long size = 0;
-      if (!next(size) || size < 0 || static_cast<std::uint64_t>(size) > text_.left()) {
+      if (!next(size) || size < 0)
         return fail("face " + std::to_string(i) + " needs the number of its corners");
+      if (static_cast<std::uint64_t>(size) > text_.left()) {
+        return refuse("face " + std::to_string(i) + " announces " + std::to_string(size) +
+                      " corners, more than the rest of the file holds; fetch or export it again");
       }
       for (long long k = 0; k < size; ++k) {
         double index = 0;

@@ -68,11 +68,13 @@ class PlyReader {
   }
 
  private:
-  Status check_header() const {
-    const bool has_vertices =
-        std::any_of(header_.elements.begin(), header_.elements.end(),
-                    [](const PlyElement& e) { return e.name == "vertex" && PlyVertices(e).has_positions(); });
-    if (!has_vertices) return broken(source_, "has no vertices with x, y and z; export the model again");
+  Status check_header() {
+    const auto found = std::find_if(
+        header_.elements.begin(), header_.elements.end(),
+        [](const PlyElement& e) { return e.name == "vertex" && PlyVertices(e).has_positions(); });
+    if (found == header_.elements.end())
+      return broken(source_, "has no vertices with x, y and z; export the model again");
+    vertices_ = &*found;
     for (const PlyElement& e : header_.elements) {
       for (const PlyProperty& p : e.properties) {
         if (is_index_list(p) && !is_integer(p.type)) {
@@ -87,7 +89,7 @@ class PlyReader {
   template <class Values>
   Status read_elements() {
     Values values(source_.bytes, header_.data_offset);
-    bool vertices_read = false, faces_read = false;
+    bool faces_read = false;
     for (const PlyElement& e : header_.elements) {
       const std::size_t least = e.least_row_bytes(header_.format);
       if (least == 0) continue;
@@ -98,9 +100,8 @@ class PlyReader {
                                    " bytes of data can hold; fetch or export it again");
       }
       Status status = Done{};
-      if (e.name == "vertex" && !vertices_read) {
+      if (&e == vertices_) {
         status = read_vertices(e, values);
-        vertices_read = true;
       } else if ((e.name == "face" && !faces_read) || e.name == "tristrips") {
         status = read_faces(e, values);
         faces_read = faces_read || e.name == "face";
@@ -173,12 +174,13 @@ class PlyReader {
   template <class Values>
   Status read_faces(const PlyElement& e, Values& values) {
     const bool may_color = e.name == "face" && mesh_.colors.empty();
+    if (Status s = check_face_memory(e, may_color, values.left()); !s) return s;
     if (e.name == "face" && faces_.corners.empty() && read_rows(e, may_color, values)) return Done{};
     const std::vector<std::size_t> colors = may_color ? face_color_properties(e) : std::vector<std::size_t>{};
     faces_.begin_faces();
     if (!colors.empty()) faces_.colors.resize(faces_.count(), kWhite);
     for (std::uint64_t row = 0; row < e.count; ++row) {
-      Vec4f color = kWhite;
+      Vec4f color{0, 0, 0, 1};
       auto next_color = colors.begin();
       for (std::size_t i = 0; i < e.properties.size(); ++i) {
         const PlyProperty& p = e.properties[i];
@@ -197,13 +199,25 @@ class PlyReader {
     return Done{};
   }
 
+  // Before it is taken: indices become 32 bits wide.
+  Status check_face_memory(const PlyElement& e, bool may_color, std::uint64_t bytes) const {
+    std::uint64_t least =
+        header_.format == PlyFormat::ascii ? 2 : sizeof(std::uint32_t);  // a digit and a space
+    for (const PlyProperty& p : e.properties) {
+      if (is_index_list(p) && header_.format != PlyFormat::ascii)
+        least = std::min<std::uint64_t>(least, size_of(p.type));
+    }
+    const std::uint64_t per_face = sizeof(std::uint32_t) + (may_color ? sizeof(Vec4f) : 0);
+    return check_limits(source_, 0, e.count * per_face + bytes / least * sizeof(std::uint32_t));
+  }
+
   // The parallel way; false, and nothing done, where it cannot go.
   template <class Values>
   bool read_rows(const PlyElement& e, bool may_color, Values& values) {
     const PlyFaceRows rows(e, header_.format, may_color);
     if (!rows.usable()) return false;
     const std::size_t bytes =
-        rows.read(source_.bytes.subspan(values.offset()), vertex_count(), faces_, pool_);
+        rows.read(source_.bytes.subspan(values.offset()), vertices_->count, faces_, pool_);
     return bytes > 0 && values.skip(PlyType::uint8, bytes);
   }
 
@@ -218,9 +232,15 @@ class PlyReader {
 
   template <class Values>
   Status read_index_list(const PlyElement& e, std::uint64_t row, const PlyProperty& p, Values& values) {
-    std::uint64_t count = 0;
-    if (!next_count(p, values, count)) return values.failure(source_, row_name(e, row));
-    const std::uint64_t vertices = vertex_count();
+    double number = 0;
+    if (!values.next(p.count_type, number)) return values.failure(source_, row_name(e, row));
+    if (!(number >= 0 && number <= static_cast<double>(values.left() + 1)) || number != std::floor(number)) {
+      return values.complaint(
+          source_, row_name(e, row) + " has " + index_text(number) + " for the number of its corners, and " +
+                       std::to_string(values.left()) + " bytes follow; fetch or export the model again");
+    }
+    const auto count = static_cast<std::uint64_t>(number);
+    const std::uint64_t vertices = vertices_->count;
     const bool strips = e.name == "tristrips";
     Strip strip;
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -238,13 +258,6 @@ class PlyReader {
     }
     if (!strips) faces_.end_face();
     return Done{};
-  }
-
-  [[nodiscard]] std::uint64_t vertex_count() const {
-    for (const PlyElement& e : header_.elements) {
-      if (e.name == "vertex") return e.count;
-    }
-    return 0;
   }
 
   Result<Scene> finish() {
@@ -265,6 +278,7 @@ class PlyReader {
 
   const Source& source_;
   PlyHeader header_;
+  const PlyElement* vertices_ = nullptr;  // those that are drawn: the first with positions
   ThreadPool pool_;
   Mesh mesh_;
   Faces faces_;

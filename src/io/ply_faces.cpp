@@ -33,11 +33,16 @@ bool is_index_list(const PlyProperty& p) {
 
 std::vector<std::size_t> face_color_properties(const PlyElement& element) {
   std::vector<std::size_t> found;
+  unsigned channels = 0;
   for (std::size_t i = 0; i < element.properties.size(); ++i) {
     const PlyProperty& p = element.properties[i];
-    if (!p.is_list && ply_color_channel(p.name) >= 0) found.push_back(i);
+    const int channel = p.is_list ? -1 : ply_color_channel(p.name);
+    if (channel < 0) continue;
+    found.push_back(i);
+    channels |= 1u << channel;
   }
-  if (found.size() < 3) found.clear();
+  constexpr unsigned kRgb = 7;
+  if ((channels & kRgb) != kRgb) found.clear();
   return found;
 }
 

@@ -14,8 +14,8 @@ namespace blysk::io {
 
 [[nodiscard]] bool is_index_list(const PlyProperty& property);
 
-/// The properties that give a face its colour, in the order of the row; empty unless there are three
-/// channels.
+/// The properties that give a face its colour, in the order of the row; empty unless red,
+/// green and blue are there.
 [[nodiscard]] std::vector<std::size_t> face_color_properties(const PlyElement& element);
 
 /// Rows whose one list is that of the face's vertices, in the types that programs write.

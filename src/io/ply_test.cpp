@@ -271,6 +271,35 @@ TEST(ply, indices_out_of_range) {
   EXPECT_EQ(scene.error().text(), std::string("x.ply: 'face' 2 of 2 uses vertex -2") + kRest);
 }
 
+// The first with positions counts, in the header's checks and in those of the faces.
+TEST(ply, several_elements_of_vertices) {
+  const std::string none = "element vertex 8\n", other = vertices(2, "property uchar weight\n");
+  const std::string rest = vertices(3, kXyz) + faces(1);
+  const std::string ascii = "0 0 0\n1 0 0\n0 1 0\n";
+  for (const std::string& first : {none, other, none + other}) {
+    const std::string values = first == none ? "" : "7 7\n";
+    const Result<Scene> good =
+        load_text(header("ascii", first + rest) + values + ascii + "3 0 1 2\n", "x.ply");
+    ASSERT_TRUE(good) << good.error().text();
+    EXPECT_EQ(good->meshes[0].positions, (Array<Vec3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    EXPECT_FALSE(load_text(header("ascii", first + rest) + values + ascii + "3 0 1 7\n", "x.ply"));
+    std::string binary = header("binary_little_endian", first + rest) + (first == none ? "" : "77") +
+                         packed(0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f);
+    EXPECT_TRUE(load_text(binary + '\3' + packed(0, 1, 2), "x.ply"));
+    EXPECT_FALSE(load_text(binary + '\3' + packed(0, 1, 7), "x.ply"));
+  }
+}
+
+TEST(ply, lengths_that_cannot_be) {
+  const std::string start = header("ascii", vertices(4, kXyz) + faces(1)) + kSquareRows;
+  for (const char* length : {"-3", "9999", "2.5"}) {
+    const Result<Scene> scene = load_text(start + length + " 0 1 2\n", "x.ply");
+    ASSERT_FALSE(scene);
+    EXPECT_NE(scene.error().text().find("x.ply:14: 'face' 1 of 1 has "), std::string::npos)
+        << scene.error().text();
+  }
+}
+
 TEST(ply, unusable_normals_are_made) {
   const std::string file =
       header("ascii",

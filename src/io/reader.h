@@ -29,7 +29,7 @@ struct Source {
 };
 
 // Readers leave normals empty where the file has none; load_model() makes them afterwards. A file without
-// faces is no error to them: the first of Scene::problems says what it has instead.
+// faces is no error to them: Scene::problems says what it has instead.
 [[nodiscard]] Result<Scene> read_obj(const Source& source);
 [[nodiscard]] Result<Scene> read_stl(const Source& source);
 [[nodiscard]] Result<Scene> read_ply(const Source& source);
@@ -38,6 +38,9 @@ struct Source {
 
 /// ErrorCode::limit where the caller's limits do not allow so much; asked before memory is taken.
 [[nodiscard]] Status check_limits(const Source& source, std::uint64_t triangles, std::uint64_t bytes);
+
+/// ErrorCode::limit where the corners of a mesh could not be numbered in 32 bits.
+[[nodiscard]] Status check_index_width(const Source& source, std::uint64_t triangles);
 
 /// "NAME: message", ErrorCode::input.
 [[nodiscard]] Error broken(const Source& source, std::string message);

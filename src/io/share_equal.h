@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -18,11 +19,15 @@ inline constexpr std::size_t kSharingBlock = std::size_t{3}
 template <class Key>
 class RecentKeys {
  public:
-  void forget() { slots_.assign(std::size_t{1} << kBits, {{}, kFree}); }
+  /// Makes room for what is worth remembering of so many things.
+  void forget(std::size_t things) {
+    bits_ = std::clamp(static_cast<int>(std::bit_width(things)), kLeastBits, kMostBits);
+    slots_.assign(std::size_t{1} << bits_, {{}, kFree});
+  }
 
   /// The number of the thing, which is `next` if it is new here.
   std::uint32_t find(const Key& key, std::uint32_t next) {
-    const auto at = static_cast<std::size_t>(key.hash() >> (64 - kBits));
+    const auto at = static_cast<std::size_t>(key.hash() >> (64 - bits_));
     Slot& first = slots_[at];
     if (first.key == key && first.number != kFree) return first.number;
     Slot& second = slots_[at ^ 1];
@@ -33,13 +38,15 @@ class RecentKeys {
   }
 
  private:
-  static constexpr int kBits = 15;  // half a megabyte of points: within a core's second cache
+  static constexpr int kLeastBits = 6;
+  static constexpr int kMostBits = 15;  // half a megabyte of points: within a core's second cache
   static constexpr std::uint32_t kFree = 0xffffffff;
   struct Slot {
     Key key;
     std::uint32_t number;
   };
   std::vector<Slot> slots_;
+  int bits_ = kLeastBits;
 };
 
 template <class Key>
@@ -66,7 +73,7 @@ template <class Key, class Each>
   std::vector<RecentKeys<Key>> recent(static_cast<std::size_t>(pool.size()));
   pool.for_each(blocks, [&](int worker, std::size_t block) {
     RecentKeys<Key>& known = recent[static_cast<std::size_t>(worker)];
-    known.forget();
+    known.forget(begin_of(block + 1) - begin_of(block));
     Array<Key> run;
     run.reserve(begin_of(block + 1) - begin_of(block));
     std::uint32_t* id = shared.ids.data() + begin_of(block);

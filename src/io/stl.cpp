@@ -72,6 +72,7 @@ Result<Scene> read_binary(const Source& source) {
                               std::to_string(held) + "; fetch or export it again");
   }
   if (Status s = check_limits(source, count, memory_for(count)); !s) return s.error();
+  if (Status s = check_index_width(source, count); !s) return s.error();
 
   Scene scene;
   if (count == 0) {
@@ -162,6 +163,7 @@ class AsciiStl {
     const std::uint64_t triangles = corners_.size() / 3;
     triangles_ += triangles;
     if (Status s = check_limits(source_, triangles_, memory_for(triangles_)); !s) return s;
+    if (Status s = check_index_width(source_, triangles); !s) return s;
     if (triangles == 0) return Done{};
     add_triangles(reinterpret_cast<const std::byte*>(corners_.data()), triangles, 3 * sizeof(Vec3f),
                   source_.options.threads, name_, scene_);

@@ -1,3 +1,5 @@
+#include <chrono>
+
 #include "io/testing.h"
 
 namespace blysk::io {
@@ -142,6 +144,22 @@ TEST(stl, every_prefix_survives) {
   expect_all_prefixes_survive(binary("solid", 2, kTwo), "x.stl");
   expect_all_prefixes_survive(
       "solid a\n" + std::string(kFacet) + "endsolid a\nsolid b\n" + std::string(kFacet), "x.stl");
+}
+
+// Thousands of solids of a triangle each cost no more than their triangles.
+TEST(stl, many_small_solids) {
+  std::string text;
+  for (int i = 0; i < 20000; ++i) {
+    text +=
+        "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+        "0\nendloop\nendfacet\nendsolid\n";
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const Result<Scene> scene = load_text(text, "x.stl");
+  ASSERT_TRUE(scene) << scene.error().text();
+  EXPECT_EQ(scene->meshes.size(), 20000u);
+  // A table for a large mesh, cleared for every solid, took five seconds.
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
 }
 
 }  // namespace
