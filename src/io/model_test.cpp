@@ -36,8 +36,11 @@ TEST(load_model, a_byte_order_mark_says_nothing) {
   // The header of a binary STL may be anything.
   const std::string binary = mark + std::string(77, ' ') + io::packed(1u) + std::string(12, '\0') +
                              io::packed(0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f) + "ab";
-  EXPECT_EQ(io::load_text(binary, "x.stl")->triangles(), 1u);
-  EXPECT_EQ(io::load_text(binary + "trailing", "x.stl")->triangles(), 1u);
+  for (const std::string& file : {binary, binary + "trailing"}) {
+    const Result<Scene> scene = io::load_text(file, "x.stl");
+    ASSERT_TRUE(scene) << scene.error().text();
+    EXPECT_EQ(scene->triangles(), 1u);
+  }
 }
 
 TEST(load_model, files_without_triangles_may_be_wanted) {
