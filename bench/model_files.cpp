@@ -3,7 +3,9 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <random>
 #include <string>
+#include <utility>
 
 namespace blysk::bench {
 namespace {
@@ -59,14 +61,42 @@ void write_stl(const Mesh& mesh, Bytes& out) {
   }
 }
 
-void write_ply(const Mesh& mesh, Bytes& out) {
+// Triangles in another order, as no exporter writes them: none that share a corner are near each other.
+Mesh shuffled(Mesh mesh) {
+  std::mt19937 random(1);
+  for (std::size_t i = mesh.triangles(); i > 1; --i) {
+    const std::size_t other = random() % i;
+    for (std::size_t k = 0; k < 3; ++k) std::swap(mesh.indices[3 * i - 3 + k], mesh.indices[3 * other + k]);
+  }
+  return mesh;
+}
+
+// Every triangle moved a little by itself: no two corners are the same.
+Mesh apart(const Mesh& mesh) {
+  Mesh soup;
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    const float step = static_cast<float>(i / 3 % 1000) * 1e-4f;
+    soup.positions.push_back(mesh.positions[mesh.indices[i]] + Vec3f{step, step, step});
+    soup.indices.push_back(static_cast<std::uint32_t>(i));
+  }
+  return soup;
+}
+
+// With `colors`, every hundred triangles have another one.
+void write_ply(const Mesh& mesh, bool colors, Bytes& out) {
   out.text("ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
            "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-           std::to_string(mesh.triangles()) + "\nproperty list uchar int vertex_indices\nend_header\n");
+           std::to_string(mesh.triangles()) + "\nproperty list uchar int vertex_indices\n" +
+           (colors ? "property uchar red\nproperty uchar green\nproperty uchar blue\n" : "") +
+           "end_header\n");
   for (const Vec3f& p : mesh.positions) out.value(p);
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
     if (i % 3 == 0) out.value(std::uint8_t{3});
     out.value(mesh.indices[i]);
+    if (colors && i % 3 == 2) {
+      for (const std::size_t channel : {i / 300, i / 3000, i / 30000})
+        out.value(static_cast<std::uint8_t>(channel));
+    }
   }
 }
 
@@ -101,7 +131,10 @@ std::vector<std::byte> model_file(const Mesh& mesh, std::string_view format) {
   Bytes out;
   if (format == "obj") write_obj(mesh, out);
   if (format == "stl") write_stl(mesh, out);
-  if (format == "ply") write_ply(mesh, out);
+  if (format == "shuffled.stl") write_stl(shuffled(mesh), out);
+  if (format == "apart.stl") write_stl(apart(mesh), out);
+  if (format == "ply") write_ply(mesh, false, out);
+  if (format == "colors.ply") write_ply(mesh, true, out);
   if (format == "glb") write_glb(mesh, out);
   return std::move(out.bytes);
 }

@@ -1,4 +1,4 @@
-// A file in memory to a scene with normals: a bumpy sphere of 400 thousand triangles in each format.
+// A file in memory to a scene with normals: a bumpy sphere of a million triangles in each format.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -12,7 +12,7 @@ namespace {
 
 // crease 0 leaves the mesh without normals: reading alone (STL still joins equal corners).
 void read(benchmark::State& state, const char* format) {
-  const Stage stage = *make_stage("sphere:4e5", 1, 1);
+  const Stage stage = *make_stage("sphere:1e6", 1, 1);
   const std::vector<std::byte> file = model_file(stage.scene.meshes[0], format);
   const ModelOptions options{.crease_deg = static_cast<double>(state.range(1)),
                              .threads = static_cast<int>(state.range(0)),
@@ -40,7 +40,10 @@ void settings(benchmark::internal::Benchmark* b) {
 
 BENCHMARK_CAPTURE(read, obj, "obj")->Apply(settings);
 BENCHMARK_CAPTURE(read, stl, "stl")->Apply(settings);
+BENCHMARK_CAPTURE(read, stl_shuffled, "shuffled.stl")->Apply(settings);
+BENCHMARK_CAPTURE(read, stl_apart, "apart.stl")->Apply(settings);
 BENCHMARK_CAPTURE(read, ply, "ply")->Apply(settings);
+BENCHMARK_CAPTURE(read, ply_colors, "colors.ply")->Apply(settings);
 BENCHMARK_CAPTURE(read, glb, "glb")->Apply(settings);
 
 }  // namespace
