@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "io/gltf_testing.h"
+#include "io/testing.h"
 
 namespace blysk::io::gltf_testing {
 namespace {

@@ -9,6 +9,7 @@
 #include "io/obj_mesh.h"
 #include "io/obj_parse.h"
 #include "io/reader.h"
+#include "io/testing.h"
 #include "math/srgb.h"
 
 namespace blysk::io {
