@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kMostWords =
     8;  // looked for on the rest of a line: more than a colour and what follows it
+constexpr std::size_t kMostDigitsShown = 40;  // of a wrong index: it may have a million
 constexpr float kNoAlpha = -1;
 constexpr Vec4f kUncolored{-1, -1, -1, -1};  // a face without a colour among faces with one
 constexpr Vec4f kUncoloredLinear{0.8f, 0.8f, 0.8f, 1};
@@ -174,7 +175,8 @@ class OffReader {
         const std::string_view word = next();
         if (!parse_number(word, index)) return fail("face " + std::to_string(i) + " needs more corners");
         if (!(index >= 0 && index < static_cast<double>(vertex_count_)) || index != std::floor(index)) {
-          return refuse(no_such_vertex("face " + std::to_string(i), std::string(word), vertex_count_));
+          const std::string shown(word.substr(0, kMostDigitsShown));
+          return refuse(no_such_vertex("face " + std::to_string(i), shown, vertex_count_));
         }
         faces.corners.push_back(static_cast<std::uint32_t>(index));
       }

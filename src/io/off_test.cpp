@@ -37,6 +37,7 @@ TEST(off, what_is_refused) {
     EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 " + index + "\n"),
               "x.off:6: face 0 uses vertex " + index + ", but they count from 0 to 2; save the model again");
   }
+  EXPECT_LT(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 " + std::string(100000, '9') + "\n").size(), 200u);
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n"),
             "x.off:6: face 0 needs the number of its corners");
 }

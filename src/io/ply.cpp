@@ -3,7 +3,7 @@
 // Two ways through the rows: those of binary files as programs write them (vertices without lists, faces with
 // none but that of their vertices) are converted in parallel; all others are read value by value.
 #include <algorithm>
-#include <atomic>
+#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -28,7 +28,8 @@ constexpr Vec4f kWhite{1, 1, 1, 1};
 std::string index_text(double value) {
   if (value == std::floor(value) && std::abs(value) < 1e15)
     return std::to_string(static_cast<long long>(value));
-  return std::to_string(value);
+  char text[32];  // not to_string(), which writes 309 digits for the largest
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 // A strip's triangles, turning their order every time; an index below zero begins a new strip.
